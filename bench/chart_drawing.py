@@ -96,7 +96,8 @@ METHODS = {
     "octahedral map": "green D -- octahedral", "sphere map": "purple ^ -", "lat-long": "orange v :",
     # tone
     "clamp": "black + --", "simple": "vermillion s -.", "reinhard": "blue o -",
-    "reinhard_rgb": "purple ^ :", "none": "vermillion s -. no dithering", "ordered": "green D --",
+    "reinhard_rgb": "purple ^ :", "neutral": "orange v -",
+    "none": "vermillion s -. no dithering", "ordered": "green D --",
     "blue_noise": "blue o - blue noise",
     # surfaces of blocks
     "smooth blocks": "blue o -", "smooth blocks, 0.25": "sky o -- smooth, 0.25",

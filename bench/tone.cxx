@@ -33,7 +33,7 @@ constexpr int Block = 16;
 constexpr double FirstStep = 120.;
 constexpr double Steps = 4.;
 
-const char* const Operators[] = { "clamp", "simple", "reinhard", "reinhard_rgb" };
+const char* const Operators[] = { "clamp", "simple", "reinhard", "reinhard_rgb", "neutral" };
 const char* const Ditherings[] = { "none", "ordered", "blue_noise" };
 
 // Hue of a colour in linear light, degrees, and its saturation: the share that is not grey.
@@ -55,7 +55,7 @@ bool MeasureOperators(const std::string& outDir, const ToneSizes& sizes)
   Table table({ "operator", "white", "picture, largest error, steps of 255",
     "formula in float, largest error", "hue turned, mean degrees", "hue turned, most degrees",
     "saturation kept, mean %" });
-  for (int which = 0; which < 4; ++which)
+  for (int which = 0; which < static_cast<int>(std::size(Operators)); ++which)
   {
     scene.Tone->SetOperator(which);
     const double picture = scene.GetError(scene.Picture());
@@ -90,8 +90,8 @@ bool MeasureOperators(const std::string& outDir, const ToneSizes& sizes)
         ++hues;
       }
     }
-    table.AddRow({ Operators[which], which < 2 ? std::string() : Number(White), Number(picture),
-      Number(rounding, 2), Number(turned / std::max(1, hues), 2), Number(most, 2),
+    table.AddRow({ Operators[which], which == 2 || which == 3 ? Number(White) : std::string(),
+      Number(picture), Number(rounding, 2), Number(turned / std::max(1, hues), 2), Number(most, 2),
       Number(100. * kept / std::max(1, colours), 3) });
     std::cout << Operators[which] << ": picture within " << Number(picture)
               << " steps of 255, hue turned by " << Number(most, 2) << " degrees at most"
@@ -115,7 +115,7 @@ bool MeasureCurves(const std::string& outDir)
   }
   Table table({ "operator", "stops", "grey, steps of 255", "red, steps of 255",
     "red's green, steps of 255" });
-  for (int which = 0; which < 4; ++which)
+  for (int which = 0; which < static_cast<int>(std::size(Operators)); ++which)
   {
     scene.Tone->SetOperator(which);
     const auto picture = scene.Picture();
@@ -211,6 +211,7 @@ bool MeasureFrames(const std::string& outDir, const ToneSizes& sizes)
   const auto on = [](vtkRelievoPass* frame) {
     vtkRelievoToneStage* tone = frame->GetToneStage();
     tone->EnabledOn();
+    tone->SetOperatorToReinhard();
     return tone;
   };
   const Way ways[] = {

@@ -82,7 +82,8 @@ std::string MakeKey(const Settings& settings, const Names& names)
 std::string MakeSurfaceKey(const Settings& settings, const RenderOptions& options)
 {
   const bool shadowed = !options.Surface.HeightMap.empty() && ShowsShadows(options);
-  return MakeKey(settings, Wearing) + (shadowed ? "in its own shadow" : "");
+  return MakeKey(settings, Wearing) + (shadowed ? "in its own shadow" : "") +
+    (options.Surface.FindsIntensity ? "of its own intensity" : "");
 }
 
 // The key of all options except those of the camera and of the shadow method.

@@ -8,8 +8,10 @@
 #include "Errors.h"
 #include "Flow.h"
 #include "Frame.h"
+#include "FrameList.h"
 #include "Lens.h"
 #include "Messages.h"
+#include "Numbers.h"
 #include "Options.h"
 #include "Outputs.h"
 #include "Progress.h"
@@ -20,6 +22,7 @@
 #include "StandardError.h"
 #include "Transparency.h"
 #include "Values.h"
+#include "VideoFile.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -32,6 +35,7 @@
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPNGReader.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -57,9 +61,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 namespace scene
@@ -375,21 +382,6 @@ void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages
 }
 
 //------------------------------------------------------------------------------
-// The options for one frame of a sequence: its time and its file names.
-RenderOptions FrameOptions(const RenderOptions& options, int frame)
-{
-  RenderOptions own = options;
-  own.Model.Time = options.Model.Times[static_cast<std::size_t>(frame)];
-  own.Model.Times.clear();
-  for (std::string RenderOptions::*name :
-    { &RenderOptions::PNG, &RenderOptions::EXR, &RenderOptions::Baseline, &RenderOptions::Report })
-  {
-    own.*name = (own.*name).empty() ? "" : GetFrameName(own.*name, frame);
-  }
-  return own;
-}
-
-//------------------------------------------------------------------------------
 // The output files, each with its option.
 std::vector<std::pair<std::string, std::string>> GetPlaces(const RenderOptions& options)
 {
@@ -402,10 +394,10 @@ std::vector<std::pair<std::string, std::string>> GetPlaces(const RenderOptions& 
 }
 
 //------------------------------------------------------------------------------
-// Draws the scene and writes the complete outputs.
-void DrawFrame(DressedScene& dressed, vtkRelievoPass* pass, const std::vector<std::string>& layers,
-  const RenderOptions& options, const Settings& settings, FlowOfFrames& flow, Outputs& outputs,
-  Progress& progress, const std::string& what)
+// Draws the scene and writes the complete outputs. Returns the picture, if one is wanted.
+vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* pass,
+  const std::vector<std::string>& layers, const RenderOptions& options, const Settings& settings,
+  FlowOfFrames& flow, Outputs& outputs, Progress& progress, const std::string& what)
 {
   const Scene& scene = dressed.GetScene();
   vtkRenderer* renderer = scene.Renderer;
@@ -455,12 +447,13 @@ void DrawFrame(DressedScene& dressed, vtkRelievoPass* pass, const std::vector<st
   }
   else if (options.Lens.empty())
   {
-    const bool isDrawn = baseline && options.PNG.empty() && options.Report.empty();
-    if ((options.EXR.empty() && !isDrawn) || (options.HDR && !options.PNG.empty())) // not drawn yet
+    const bool isDrawn = baseline && !options.WantsPicture() && options.Report.empty();
+    if ((options.EXR.empty() && !isDrawn) ||
+      (options.HDR && options.WantsPicture())) // not drawn yet
     {
       window->Render();
     }
-    picture = options.PNG.empty() ? nullptr : Grab(window);
+    picture = options.WantsPicture() ? Grab(window) : nullptr;
   }
   progress.End();
   Messages::Check(what);
@@ -499,7 +492,74 @@ void DrawFrame(DressedScene& dressed, vtkRelievoPass* pass, const std::vector<st
   {
     throw FileError(outputs.WithGivenNames(error.what()));
   }
+  return picture;
 }
+
+//------------------------------------------------------------------------------
+// Whether all files of a frame exist.
+bool IsThere(const RenderOptions& options)
+{
+  const auto places = GetPlaces(options);
+  return std::all_of(places.begin(), places.end(), [](const auto& place) {
+    std::error_code none;
+    return std::filesystem::is_regular_file(place.second, none);
+  });
+}
+
+// The picture of a frame that was drawn before.
+vtkSmartPointer<vtkImageData> ReadPicture(const RenderOptions& options)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(options.PNG.c_str());
+  reader->Update();
+  Messages::Check(options.PNG, reader->GetErrorCode() != 0, "cannot be read");
+  const int* size = reader->GetOutput()->GetDimensions();
+  if (size[0] != options.Size[0] || size[1] != options.Size[1])
+  {
+    throw FileError(options.PNG + ": has " + std::to_string(size[0]) + "x" +
+      std::to_string(size[1]) + " pixels, expected " + std::to_string(options.Size[0]) + "x" +
+      std::to_string(options.Size[1]) + ": remove it, or leave out --resume");
+  }
+  return reader->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+// The film of a sequence; nothing if none is requested.
+class Film
+{
+public:
+  Film(const RenderOptions& options, const std::vector<std::string>& inputs)
+  {
+    if (!options.Motion.Video.empty())
+    {
+      const std::string& name = options.Motion.Video;
+      this->Place.Add("--video", name, inputs);
+      this->File.emplace(
+        this->Place.Temporary(name), name, options.Size, options.Motion.FramesPerSecond);
+    }
+  }
+
+  void Add(vtkImageData* picture)
+  {
+    if (this->File)
+    {
+      this->File->Add(picture);
+    }
+  }
+
+  void Finish()
+  {
+    if (this->File)
+    {
+      this->File->Finish();
+      this->Place.Commit();
+    }
+  }
+
+private:
+  Outputs Place;
+  std::optional<VideoFile> File; // destroyed first
+};
 }
 
 namespace
@@ -563,12 +623,34 @@ private:
 }
 
 //------------------------------------------------------------------------------
+RenderOptions FollowProgram(RenderOptions options)
+{
+  if (options.Motion.Video.empty() || VideoFile::HasProgram())
+  {
+    return options;
+  }
+  const std::string film = std::exchange(options.Motion.Video, "");
+  if (options.PNG.empty())
+  {
+    options.PNG = std::filesystem::path(film).replace_extension().string() + "_%04d.png";
+  }
+  Messages::Note("--video " + film + ": the program ffmpeg is not installed: the frames are in " +
+    GetFrameName(options.PNG, 0) + " and so on; where it is, `ffmpeg -framerate " +
+    WriteNumber(options.Motion.FramesPerSecond) + " -i " + options.PNG + " " + film +
+    "` makes the film");
+  return options;
+}
+
+//------------------------------------------------------------------------------
 std::unique_ptr<Outputs> OpenOutputs(
   const RenderOptions& options, const std::vector<std::string>& inputs)
 {
-  const RenderOptions first = options.Model.Times.empty() ? options : FrameOptions(options, 0);
+  if (!options.Motion.Video.empty())
+  {
+    Outputs().Add("--video", options.Motion.Video, inputs); // checks the place
+  }
   auto outputs = std::make_unique<Outputs>();
-  for (const auto& [option, path] : GetPlaces(first))
+  for (const auto& [option, path] : GetPlaces(GetFrameOptions(options, 0)))
   {
     outputs->Add(option, path, inputs);
   }
@@ -586,10 +668,11 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   CheckShownLayer(options, dressed.GetScene());
   const int lights = CountLights(renderer);
   CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
-  const int frames = static_cast<int>(options.Model.Times.size());
+  const FrameList list(dressed.GetScene(), options);
+  const int frames = list.GetCount();
   for (int number = 0; number < std::max(1, frames); ++number)
   {
-    for (const auto& [option, path] : GetPlaces(frames ? FrameOptions(options, number) : options))
+    for (const auto& [option, path] : GetPlaces(GetFrameOptions(options, number)))
     {
       Outputs::Check(option, path, inputs);
     }
@@ -609,18 +692,39 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   {
     outputs->Commit();
   }
+  Film film(options, inputs);
+  int kept = 0;
   for (int number = 0; number < frames; ++number)
   {
-    const RenderOptions own = FrameOptions(options, number);
+    const RenderOptions own = list.Get(options, number);
+    if (options.Motion.Resume && IsThere(own))
+    {
+      ++kept;
+      film.Add(options.Motion.Video.empty() ? nullptr : ReadPicture(own).Get());
+      continue;
+    }
     if (number > 0)
     {
       outputs = OpenOutputs(own, inputs);
+    }
+    if (number > 0 && own.Model.Time)
+    {
       PlayScene(dressed.GetScene(), options, *own.Model.Time, progress);
     }
-    DrawFrame(dressed, pass, layers, own, settings, flow, *outputs, progress,
+    if (options.Motion.MovesCamera())
+    {
+      PlaceCamera(renderer, own.View, options.UpAxis, dressed.GetBounds());
+    }
+    film.Add(DrawFrame(dressed, pass, layers, own, settings, flow, *outputs, progress,
       "rendering " + size + ", frame " + std::to_string(number + 1) + " of " +
-        std::to_string(frames));
+        std::to_string(frames)));
     outputs->Commit();
+  }
+  film.Finish();
+  if (kept > 0)
+  {
+    Messages::Note("--resume: " + std::to_string(kept) + " of " + std::to_string(frames) +
+      " frames were there and are kept");
   }
   return certificate;
 }

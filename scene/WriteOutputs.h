@@ -19,6 +19,10 @@ class Progress;
 class Settings;
 struct RenderOptions;
 
+/// The options as they are, or with PNG files in place of a film where the program ffmpeg is
+/// missing, with a note.
+RenderOptions FollowProgram(RenderOptions options);
+
 /// The output files of the options; for a sequence, those of its first frame. Throws UsageError or
 /// WorkError for a place that cannot be written or is an input.
 std::unique_ptr<Outputs> OpenOutputs(

@@ -142,7 +142,7 @@ bool vtkRelievoScene::SetWords(vtkStringArray* words)
     std::vector<std::string> files = options.Files;
     files.insert(files.end(),
       { options.Surface.Environment, options.Surface.NormalMap, options.Surface.HeightMap,
-        vtkRelievoCalibration::IsFile(options.Lens) ? options.Lens : "" });
+        options.Motion.Path, vtkRelievoCalibration::IsFile(options.Lens) ? options.Lens : "" });
     for (const scene::PointsChoice& points : options.Points)
     {
       files.push_back(points.File);
@@ -307,6 +307,7 @@ bool vtkRelievoScene::Write()
     const scene::RenderOptions& options = this->Internal->Options;
     this->Internal->Certificate.clear();
     scene::CheckOutputs(options);
+    this->Internal->Options = scene::FollowProgram(options);
     std::vector<std::string> inputs = OnFiles([&options] { return scene::CheckInputs(options); });
     std::unique_ptr<scene::Outputs> outputs =
       OnFiles([&] { return scene::OpenOutputs(options, inputs); });

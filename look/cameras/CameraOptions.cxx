@@ -3,12 +3,40 @@
 #include "CameraOptions.h"
 
 #include "FittedView.h"
+#include "Triples.h"
 
 #include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkRenderer.h"
 
 namespace scene
 {
+namespace
+{
+double SineBetween(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  std::array<double, 3> cross{};
+  vtkMath::Cross(a.data(), b.data(), cross.data());
+  return Length(cross) / (Length(a) * Length(b));
+}
+}
+
+//------------------------------------------------------------------------------
+std::string CheckPlace(const CameraPlace& place)
+{
+  const std::array<double, 3> direction = Minus(place.FocalPoint, place.Position);
+  if (Length(direction) == 0.0)
+  {
+    return "a focal point FX,FY,FZ apart from the position PX,PY,PZ";
+  }
+  // Below this angle VTK silently chooses another up direction.
+  if (Length(place.ViewUp) == 0.0 || SineBetween(direction, place.ViewUp) < 1e-6)
+  {
+    return "an up direction UX,UY,UZ that is not along the view direction";
+  }
+  return {};
+}
+
 //------------------------------------------------------------------------------
 void PlaceCamera(vtkRenderer* renderer, const CameraChoice& choice, int up, const double bounds[6])
 {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 class vtkCamera;
 class vtkRenderer;
@@ -36,6 +37,9 @@ constexpr double StandardViewAngle = 30.0; ///< VTK's, degrees
 /// Sets only the renderer's camera, fitted to these bounds unless the choice places it; `up`: the
 /// axis that points up.
 void PlaceCamera(vtkRenderer* renderer, const CameraChoice& choice, int up, const double bounds[6]);
+
+/// What a place must have that it lacks, as the end of an error message; "" if it is a view.
+std::string CheckPlace(const CameraPlace& place);
 
 /// The pose of a camera.
 CameraPlace GetPlace(vtkCamera* camera);

@@ -16,8 +16,6 @@ namespace scene
 {
 namespace
 {
-constexpr double Filled = 0.84; // share of the picture that the fitted bounds fill
-
 bool IsFlatAlong(const double bounds[6], int axis)
 {
   const double largest =

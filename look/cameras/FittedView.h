@@ -15,6 +15,8 @@ namespace scene
 class FittedView
 {
 public:
+  static constexpr double Filled = 0.84; ///< share of the picture that the fitted bounds fill
+
   /// A view along an axis, with the axis `up` (0, 1, 2 for x, y, z) upwards: along -z with y up.
   explicit FittedView(int up);
 

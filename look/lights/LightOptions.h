@@ -36,8 +36,18 @@ struct LightChoice
   std::optional<double> Size; ///< a sun's angle in degrees, else a radius; none: the default
   std::string Name;           ///< in reports; empty: its number
 
-  /// Whether a sun by date, time and place is below the horizon and gives no light.
-  bool IsNight() const { return this->Time && GetSunAngles(*this->Time).IsNight(); }
+  /// The angles of a sun given by them, or by date, time and place; none: another light.
+  std::optional<SunAngles> GetAngles() const
+  {
+    return this->Time ? GetSunAngles(*this->Time) : this->Angles;
+  }
+
+  /// Whether a sun given in this way is below the horizon and gives no light.
+  bool IsNight() const
+  {
+    const std::optional<SunAngles> angles = this->GetAngles();
+    return angles && (angles->Elevation < 0.0 || (this->Time && angles->IsNight()));
+  }
 
   /// Unit direction towards a sun in the world, where `upAxis` (0, 1, 2 for x, y, z) points up.
   std::array<double, 3> GetDirection(int upAxis) const;

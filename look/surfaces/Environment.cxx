@@ -4,17 +4,22 @@
 
 #include "Errors.h"
 #include "Images.h"
+#include "Numbers.h"
 #include "Progress.h"
 #include "ReadContext.h"
 #include "SurfaceOptions.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoEnvironmentLight.h"
 #include "vtkRelievoSkybox.h"
 #include "vtkRenderer.h"
+
+#include <cmath>
+#include <string>
 
 namespace scene
 {
@@ -22,6 +27,25 @@ namespace
 {
 // Tolerance of the levels' sums; smaller ones would make the command wait.
 constexpr double LevelTolerance = 2e-3;
+
+// Mean light, where white is 1: beyond these bounds a picture is overexposed or black.
+constexpr double Darkest = 0.1;
+constexpr double Brightest = 1.0;
+constexpr double Usual = 0.4;
+
+// The factor that brings linear light that is very bright or dark to a usual mean; 1 for others.
+double FindIntensity(const vtkRelievoEnvironmentLight& light)
+{
+  // The first coefficient of spherical harmonics is the mean light over all directions.
+  double mean = 0.0;
+  constexpr double weights[] = { 0.2126, 0.7152, 0.0722 };
+  for (int i = 0; i < 3; ++i)
+  {
+    mean += weights[i] * light.Irradiance->GetComponent(0, i) * 0.5 / std::sqrt(vtkMath::Pi());
+  }
+  const bool isUsual = light.SRGB || !(mean > 0.0) || (mean >= Darkest && mean <= Brightest);
+  return isUsual ? 1.0 : Usual / mean;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -57,6 +81,15 @@ vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
   for (const vtkRelievoParameter& value : GetEnvironmentValues().Parameters)
   {
     environment->SetParameter(value.Name, GetSurfaceValue(surface, value.Name));
+  }
+  const double found = surface.FindsIntensity ? FindIntensity(light) : 1.0;
+  if (found != 1.0)
+  {
+    const std::string intensity = WriteNumber(RoundTo(found, 0.02 * found));
+    environment->SetParameter("intensity", intensity);
+    context.Note(surface.Environment + ": its light is " +
+      (found < 1.0 ? "too bright" : "too dark") +
+      " to be seen, and drawn with intensity=" + intensity + "; intensity=1 keeps it");
   }
   progress.End();
   context.Check(surface.Environment);

@@ -38,7 +38,8 @@ struct SurfaceChoice
   double Reflectivity = 0.04;            ///< share of the environment's light that is mirrored
   double Roughness = 0.2;                ///< of the mirror
   bool Skybox = false;
-  bool Shadowed = false; ///< the picture shows shadows, which relief then casts on itself
+  bool FindsIntensity = false; ///< of the environment, where it is very bright or dark
+  bool Shadowed = false;       ///< the picture shows shadows, which relief then casts on itself
 
   /// Whether images are placed by texture coordinates.
   bool IsMapped() const { return !this->NormalMap.empty() || !this->HeightMap.empty(); }

@@ -18,6 +18,7 @@
 #include "vtkRelievoLightMaps.h"
 #include "vtkRelievoMessagesOnce.h"
 #include "vtkRelievoPlainActor.h"
+#include "vtkRelievoShadowCatcher.h"
 #include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowCertifier.h"
 #include "vtkRelievoShadowLights.h"
@@ -239,6 +240,7 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   this->DrawCalls = 0;
   this->NumberOfMapsDrawn = 0;
   in.Maps.Work.View = context.View;
+  in.Maps.Work.BackgroundRise = vtkRelievoShadowCatcher::GetRise(context.Renderer);
   in.Maps.Work.SteadyView = context.SteadyView;
   in.Casters.Props.SetAttenuates(this->ColoredShadows);
   in.Casters.Props.Collect(context.Renderer, context.Scene.Props);

@@ -69,7 +69,7 @@ def environment(*arguments, **given):
     _remove(inner)
     frame = frame_of(inner)
     if bound.arguments["tone"] and not (frame and frame.GetStage("tone").GetEnabled()):
-        stage(inner, "tone")
+        stage(inner, "tone", operator="reinhard")  # which keeps differences of bright light
         object.__setattr__(inner, "relievo_tone", True)  # PyVista's renderers refuse new ones
     if bound.arguments["sky"]:
         shown = vtkRelievoSkybox()

@@ -27,6 +27,7 @@ _LOG = logging.getLogger("relievo")
 # Separators of the numbers of a tuple; the default is a comma.
 _BETWEEN = {"size": "x", "color": "/", "background": "/"}
 
+_OF_MOVIES = ["turntable", "camera_path", "video", "fps", "resume"]
 _OUTPUTS = [name for name, row in _OPTIONS.items() if row["outputs"] and name != "lens"]
 
 
@@ -67,6 +68,14 @@ def _words(name, value):
     ]
 
 
+def _key(seconds, view):
+    """A key of a camera's path."""
+    if hasattr(view, "GetPosition"):
+        view = (view.GetPosition(), view.GetFocalPoint(), view.GetViewUp())
+    position, focus, up = (list(map(float, each)) for each in view)
+    return {"time": float(seconds), "position": position, "focal_point": focus, "view_up": up}
+
+
 class Scene:
     """A scene of files with options; see scene()."""
 
@@ -87,7 +96,8 @@ class Scene:
         """Changes options; None restores the default. Returns the scene."""
         bad = sorted(set(options) & set(_OUTPUTS))
         if bad:
-            raise ValueError(f"{bad[0]}: got an option of outputs, which render() takes")
+            taker = "movie" if bad[0] in _OF_MOVIES else "render"
+            raise ValueError(f"{bad[0]}: got an option of outputs, which {taker}() takes")
         wanted = {**self._options, **options}
         self._say(wanted)
         self._check_files(wanted)
@@ -130,12 +140,46 @@ class Scene:
         outputs["baseline"] = baseline
         outputs["transparent"] = transparent
         outputs["layers"] = ",".join(layers) if layers and not isinstance(layers, str) else layers
+        self._write(outputs)
+        return self._scene.GetCertificate() or None
+
+    def movie(
+        self,
+        video=None,
+        *,
+        turntable=None,
+        camera_path=None,
+        fps=None,
+        png=None,
+        resume=False,
+    ):
+        """Draws the frames of a moving camera, or of the option `times`, and writes them.
+
+        video: the path of a film, .mp4 (H.264) or .mkv (FFV1, lossless), which the program ffmpeg
+        makes; where it is missing, PNG files beside that path are written instead, with a note.
+        turntable: the number of frames in which the camera goes once around the scene.
+        camera_path: a JSON or CSV file of views through which the camera moves, or a list of pairs
+        (seconds, view), where a view is a vtkCamera or (position, focal point, up direction).
+        fps: frames per second (25). png: a path with %d or %04d, the number of the frame.
+        resume: keeps the frames whose PNG files exist.
+        Raises ValueError for wrong arguments, OSError for files, RuntimeError for failed drawing.
+        """
+        outputs = {"video": video, "turntable": turntable, "fps": fps, "png": png, "resume": resume}
+        if camera_path is None or isinstance(camera_path, (bytes, str, os.PathLike)):
+            self._write({**outputs, "camera_path": camera_path})
+            return
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "path.json")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump({"keys": [_key(*pair) for pair in camera_path]}, file)
+            self._write({**outputs, "camera_path": path})
+
+    def _write(self, outputs):
         self._stale = True
         self._say({**self._options, **outputs})
         self._check_files(self._options)
         self._run(self._scene.Write)
         self._stale = False
-        return self._scene.GetCertificate() or None
 
     def capture_baseline(self, image: Any, portable: bool = False) -> None:
         """Draws what write_baseline() writes into a vtkImageData."""

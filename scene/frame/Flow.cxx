@@ -40,7 +40,8 @@ vtkSmartPointer<vtkRelievoCameraModel> GetSensor(
 //------------------------------------------------------------------------------
 bool IsFlowOfFrames(const RenderOptions& options, const std::string& name)
 {
-  return options.Model.Times.size() > 1 && vtkRelievoRayLayers::IsFlow(name.c_str());
+  return (options.Model.Times.size() > 1 || options.Motion.MovesCamera()) &&
+    vtkRelievoRayLayers::IsFlow(name.c_str());
 }
 
 //------------------------------------------------------------------------------

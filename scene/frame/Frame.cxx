@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame.h"
 
+#include "CameraPath.h"
 #include "Options.h"
 #include "Readers.h"
 #include "Shadows.h"
@@ -31,6 +32,12 @@ std::vector<std::string> CheckInputs(const RenderOptions& options)
   {
     CheckPointFile(choice);
     inputs.push_back(choice.File);
+  }
+  if (!options.Motion.Path.empty())
+  {
+    CheckReadable(options.Motion.Path);
+    CameraPath::Read(options.Motion.Path); // before the long work
+    inputs.push_back(options.Motion.Path);
   }
   if (vtkRelievoCalibration::IsFile(options.Lens))
   {

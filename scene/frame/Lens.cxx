@@ -147,7 +147,7 @@ vtkSmartPointer<vtkImageData> DrawLens(vtkRenderer* renderer, const RenderOption
   drawn->SetRenderer(renderer);
   drawn->SetCamera(sensor);
   drawn->SetHDR(options.HDR);
-  drawn->SetPicture(!options.PNG.empty());
+  drawn->SetPicture(options.WantsPicture());
   progress.Observe(drawn);
   drawn->Update();
   Messages::Check("--lens " + options.Lens, drawn->GetOutput()->GetNumberOfPoints() == 0);

@@ -4,6 +4,7 @@
 
 #include "DataSets.h"
 #include "Errors.h"
+#include "Numbers.h"
 #include "Options.h"
 #include "PointOptions.h"
 #include "ReadContext.h"
@@ -11,6 +12,7 @@
 
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
+#include "vtkRelievoFogSpheres.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
 
@@ -69,6 +71,32 @@ void CheckPoints(const std::string& path, vtkRelievoPointValues* points, ReadCon
   }
 }
 
+// Fog with neither a density of its own nor a given one: two thirds of the light pass the middle of
+// a sphere of the mean radius, whatever the unit of length is.
+void FitDensity(
+  const PointsChoice& choice, const RenderOptions& options, vtkRelievoPointValues* points)
+{
+  auto* fog = vtkRelievoFogSpheres::SafeDownCast(points);
+  if (!fog || !FindWords(choice.Values, "density").empty() ||
+    GetArrays(points->GetInputDataObject(0, 0)).count("density") > 0)
+  {
+    return;
+  }
+  const std::vector<double>& rows = fog->GetRows();
+  const auto width = static_cast<std::size_t>(fog->GetRowWidth());
+  double sum = 0.0;
+  for (std::size_t at = vtkRelievoFogSpheres::RADIUS; at < rows.size(); at += width)
+  {
+    sum += rows[at] * static_cast<double>(width) / static_cast<double>(rows.size());
+  }
+  if (sum > 0.0)
+  {
+    const std::string* mode = FindStageChoice(options.Stages, choice.Stage, "mode");
+    const double density = mode && *mode == "chord" ? 0.33 : 0.2 / sum; // chord: the share itself
+    fog->SetParameter("density", WriteNumber(RoundTo(density, 0.02 * density)));
+  }
+}
+
 // Sizes given by neither file nor words: their defaults depend on the scene.
 void NoteDefaults(const PointsChoice& choice, vtkRelievoPointValues* points, ReadContext& context)
 {
@@ -81,7 +109,7 @@ void NoteDefaults(const PointsChoice& choice, vtkRelievoPointValues* points, Rea
     if (!given && parameter.PerPoint && names.count(parameter.Name) == 0 &&
       parameter.Unit.find("world unit") != std::string::npos)
     {
-      defaults += (defaults.empty() ? "" : " and ") + parameter.Name + " " + parameter.Default;
+      defaults += (defaults.empty() ? "" : " and ") + parameter.Name + " " + parameter.Format();
     }
   }
   if (!defaults.empty())
@@ -124,6 +152,7 @@ FramePoints ReadFramePoints(const RenderOptions& options, ReadContext& context)
     }
     CheckArrays(choice, points);
     CheckPoints(choice.File, points, context);
+    FitDensity(choice, options, points);
     NoteDefaults(choice, points, context);
     all.push_back({ choice.Stage, points });
   }

@@ -38,14 +38,6 @@ constexpr double LargestFigure = 5000.0; // millimetres
 constexpr double SmallestDPI = 36.0;
 constexpr double LargestDPI = 4800.0;
 
-double SineBetween(const std::array<double, 3>& a, const std::array<double, 3>& b)
-{
-  const std::array<double, 3> cross = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-    a[0] * b[1] - a[1] * b[0] };
-  return Length(cross) / (Length(a) * Length(b));
-}
-
-//------------------------------------------------------------------------------
 void TakeFigure(RenderOptions& options, const std::string& word)
 {
   const char* const form = "WIDTHmm,DPI, such as 85mm,300";
@@ -103,15 +95,10 @@ void TakeCamera(RenderOptions& options, const std::string& word)
 {
   const std::vector<double> n = ParseNumbers("--camera", word, 9, "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ");
   const CameraPlace camera = { Triple(n, 0), Triple(n, 3), Triple(n, 6) };
-  const std::array<double, 3> direction = Minus(camera.FocalPoint, camera.Position);
-  if (Length(direction) == 0.0)
+  const std::string wrong = CheckPlace(camera);
+  if (!wrong.empty())
   {
-    RefuseValue("--camera", word, "a focal point FX,FY,FZ apart from the position PX,PY,PZ");
-  }
-  // Below this angle VTK silently chooses another up direction.
-  if (Length(camera.ViewUp) == 0.0 || SineBetween(direction, camera.ViewUp) < 1e-6)
-  {
-    RefuseValue("--camera", word, "an up direction UX,UY,UZ that is not along the view direction");
+    RefuseValue("--camera", word, wrong);
   }
   options.View.Place = camera;
 }
@@ -578,12 +565,12 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   stage.Repeats = true;
   stage.Sets = "any";
   vtkRelievoOption& tone = rows.Add("--tone", "OPERATOR[,white=W]",
-    "how light above 1 is shown in the picture: clamp, simple, reinhard or reinhard-rgb; "
-    "W is the light that becomes white (reinhard,white=4, if --exposure is given). The "
-    "EXR stores the colour before the operator",
+    "how light above 1 is shown in the picture: neutral, clamp, simple, reinhard or "
+    "reinhard-rgb; W is the light that the latter two show as white (neutral, if --exposure is "
+    "given). The EXR stores the colour before the operator",
     TakeTone);
   tone.Sets = "tone";
-  tone.Words = { "clamp", "simple", "reinhard", "reinhard-rgb" };
+  tone.Words = { "neutral", "clamp", "simple", "reinhard", "reinhard-rgb" };
   vtkRelievoOption& exposure = rows.Add("--exposure", "STOPS",
     "multiplies the light by 2 to this power, -20 to 20; auto: makes the mean of the "
     "drawn pixels a middle grey (0)",
@@ -609,6 +596,37 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       "the picture without its background, RGBA; the ground shows only its shadows, as "
       "translucent black",
       all.Transparent)
+    .OfOutputs = true;
+  vtkRelievoOption& turn = rows.Add("--turntable", "N",
+    "draws N frames while the camera goes once around the scene, about the up axis, "
+    "counter-clockwise seen from above; the names of --png, --exr, --baseline and --report must "
+    "contain %d or %04d, the frame number from 0. The fitted camera sees the scene in all frames",
+    [](RenderOptions& options, const std::string& word) {
+      options.Motion.Turntable = ParseWhole("--turntable", word, 2, 1000000);
+    });
+  turn.OfOutputs = true;
+  vtkRelievoOption& path = rows.Add("--camera-path", "F",
+    "draws frames of a camera that moves through the views of a JSON or CSV file, from the first "
+    "one's time to the last one's by --fps, or at --times",
+    [](RenderOptions& options, const std::string& word) { options.Motion.Path = word; });
+  path.OfOutputs = true;
+  path.Files = "json|csv";
+  vtkRelievoOption& video = rows.Add("--video", "F",
+    "a film of the frames of --turntable, --camera-path or --times: .mp4 (H.264) or .mkv (FFV1, "
+    "lossless). The program ffmpeg makes it; where it is missing, the frames are written as PNG "
+    "files beside it",
+    TakePart<&RenderOptions::Motion, TakeVideo>);
+  video.OfOutputs = true;
+  video.Files = "mp4|mkv";
+  rows.AddNumber("--fps", "N", "frames per second of --video and --camera-path, @bounds@ (25)",
+    { 0.1, 1000.0 },
+    [](RenderOptions& options, double rate) { options.Motion.FramesPerSecond = rate; });
+  rows.Command.Options.back().OfOutputs = true;
+  rows
+    .AddFlag("--resume",
+      "keeps the frames whose files exist, as an interrupted run leaves them; whether these had "
+      "the same options is not checked",
+      all.Motion.Resume)
     .OfOutputs = true;
   vtkRelievoOption& exr = rows.Add("--exr", "F",
     "OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...",
@@ -795,6 +813,7 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
   }
   CheckLens(options);
   CheckModelOptions(options);
+  CheckSequence(options, given);
   CheckLookOptions(options.Look, given);
   CheckStages(options.Stages);
   if (!options.Lights.empty())
@@ -816,10 +835,10 @@ void CheckOutputs(const RenderOptions& options)
     throw UsageError("render: no FILE given; see relievo --help");
   }
   if (options.PNG.empty() && options.EXR.empty() && options.Baseline.empty() &&
-    options.Report.empty() && !options.Certify)
+    options.Report.empty() && options.Motion.Video.empty() && !options.Certify)
   {
-    throw UsageError("render: nothing to write: give --png F, --exr F, --baseline F.exr, "
-                     "--report F.json or --certify N");
+    throw UsageError("render: nothing to write: give --png F, --exr F, --video F, "
+                     "--baseline F.exr, --report F.json or --certify N");
   }
 }
 
@@ -845,6 +864,11 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
   SizeFigure(options);
   CheckShadowWishes(options, seen);
   options.Surface.Shadowed = ShowsShadows(options);
+  // Pictures without a preset, and those with an exposure, keep the environment's light.
+  options.Surface.FindsIntensity = options.Preset != "none" &&
+    FindWords(options.Surface.EnvironmentValues, "intensity").empty() &&
+    std::none_of(options.Stages.begin(), options.Stages.end(),
+      [](const StageChoice& stage) { return stage.Name == "tone"; });
   CheckTogether(options, seen);
   return options;
 }

@@ -11,6 +11,7 @@
 #include "LightOptions.h"
 #include "LookOptions.h"
 #include "ModelOptions.h"
+#include "MotionOptions.h"
 #include "PointOptions.h"
 #include "Stages.h"
 #include "SurfaceOptions.h"
@@ -52,6 +53,7 @@ struct RenderOptions
   std::string Preset; ///< of lights, shadows, ground, background and view
   LookChoice Look;
   ModelChoice Model;               ///< pose and animation of models with bones
+  MotionChoice Motion;             ///< of the camera, and films
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
   std::optional<double> Fill;      ///< share of the preset's weak lights; none: the preset has none
   bool YieldsToFile = false;       ///< the file's lights, if any, replace these
@@ -69,6 +71,8 @@ struct RenderOptions
   std::vector<std::string> Layers;  ///< each once; of the EXR besides its colour
   std::string PNG, EXR, Report;     ///< empty: not requested
   std::string Baseline;             ///< an EXR to compare with; empty: not requested
+
+  bool WantsPicture() const { return !this->PNG.empty() || !this->Motion.Video.empty(); }
 };
 
 /// The command `render`, whose options fill `options`.

@@ -3,6 +3,7 @@
 #include "Presets.h"
 
 #include "Errors.h"
+#include "NightSky.h"
 #include "Numbers.h"
 #include "Options.h"
 #include "Settings.h"
@@ -26,6 +27,13 @@ struct Preset
   double Angle; // of the light's disc, degrees; negative: no shadow, and no ground
   Color Fill;
   std::vector<Color> Background; // bottom, top
+  enum Hours
+  {
+    Always, // the background is paper
+    Indoors,
+    Outdoors
+  };
+  Hours Night; // how the background follows a low sun
 };
 
 const std::vector<Preset>& GetPresets()
@@ -33,13 +41,13 @@ const std::vector<Preset>& GetPresets()
   static const std::vector<Preset> presets = {
     // A large lamp at the left in front of a light wall.
     { "studio", { -0.65, 0.9, 0.6 }, { 0.66, 0.65, 0.63 }, 6.0, { 0.30, 0.31, 0.33 },
-      { { 0.80, 0.82, 0.85 }, { 0.95, 0.96, 0.97 } } },
+      { { 0.80, 0.82, 0.85 }, { 0.95, 0.96, 0.97 } }, Preset::Indoors },
     // An afternoon sun, and the sky, which is bluer.
     { "town", { -0.75, 0.6, 0.45 }, { 0.76, 0.68, 0.54 }, 0.53, { 0.27, 0.30, 0.36 },
-      { { 0.86, 0.90, 0.94 }, { 0.45, 0.64, 0.87 } } },
+      { { 0.86, 0.90, 0.94 }, { 0.45, 0.64, 0.87 } }, Preset::Outdoors },
     // On white paper, without shadows.
     { "print", { -0.4, 0.6, 1.0 }, { 0.65, 0.65, 0.65 }, -1.0, { 0.32, 0.32, 0.32 },
-      { { 1.0, 1.0, 1.0 } } },
+      { { 1.0, 1.0, 1.0 } }, Preset::Always },
   };
   return presets;
 }
@@ -108,6 +116,20 @@ void AddSuns(RenderOptions& options, const Preset& preset, bool others)
     options.Lights.push_back(MakeSun(towards, preset.Fill, "fill"));
     options.Lights.back().Intensity =
       *options.Fill * (&towards == std::end(Fills) - 1 ? LastFill : 1.0);
+  }
+}
+
+// At night a weak bluish light from the preset's own direction shows shapes, and casts shadows.
+void AddMoon(RenderOptions& options, const Preset& preset)
+{
+  const bool dark = !options.Lights.empty() &&
+    std::all_of(options.Lights.begin(), options.Lights.end(),
+      [](const LightChoice& light) { return light.IsNight(); });
+  if (dark && preset.Night != Preset::Always)
+  {
+    LightChoice moon = MakeSun(preset.Towards, { 0.26, 0.32, 0.44 }, "moon");
+    moon.Casts = true;
+    options.Lights.push_back(moon);
   }
 }
 
@@ -248,7 +270,10 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   }
   if (given.count("--background") == 0)
   {
-    options.Look.Background = preset->Background;
+    const std::optional<double> elevation = FindSunElevation(options.Lights);
+    options.Look.Background = elevation && preset->Night != Preset::Always
+      ? DarkenSky(preset->Background, preset->Night == Preset::Outdoors, *elevation)
+      : preset->Background;
   }
   if (given.count("--image") + given.count("--color-by") + given.count("--scalar-bar") +
       given.count("--bar") ==
@@ -272,6 +297,7 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   if (lights)
   {
     options.Look.IsReadable = options.ShadingKind != Shading::PBR;
+    AddMoon(options, *preset);
     AddSuns(options, *preset, given.count("--light") > 0);
     if (preset->Angle >= 0.0)
     {

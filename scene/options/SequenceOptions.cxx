@@ -7,8 +7,11 @@
 #include "Readers.h"
 #include "Values.h"
 
+#include "vtkRelievoRayLayers.h"
+
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <regex>
 #include <utility>
 
@@ -54,22 +57,91 @@ void CheckModelOptions(RenderOptions& options)
     throw UsageError(Join(GetModelOptions(), ", ") + ": no FILE can have bones; expected one of ." +
       Join(GetModelExtensions(), " ."));
   }
-  if (model.Times.empty())
+}
+
+//------------------------------------------------------------------------------
+bool IsSequence(const RenderOptions& options)
+{
+  return !options.Model.Times.empty() || options.Motion.MovesCamera();
+}
+
+//------------------------------------------------------------------------------
+void CheckSequence(const RenderOptions& options, const std::set<std::string>& given)
+{
+  const MotionChoice& motion = options.Motion;
+  const char* const sequences = "--turntable N, --camera-path F or --times START:END:STEP";
+  if (!IsSequence(options))
   {
+    for (const char* option : { "--video", "--resume", "--fps" })
+    {
+      if (given.count(option) > 0)
+      {
+        throw UsageError(
+          std::string(option) + ": there is one frame: give " + sequences + " as well");
+      }
+    }
     return;
+  }
+  if (motion.Turntable > 0 && !motion.Path.empty())
+  {
+    throw UsageError("--turntable and --camera-path: give one of them; each moves the camera");
+  }
+  if (given.count("--camera") > 0 && !motion.Path.empty())
+  {
+    throw UsageError("--camera and --camera-path: give one of them; the path has all views");
+  }
+  if (motion.Turntable > 0 && !options.Model.Times.empty() &&
+    static_cast<std::size_t>(motion.Turntable) != options.Model.Times.size())
+  {
+    throw UsageError("--turntable and --times: got " + std::to_string(motion.Turntable) + " and " +
+      std::to_string(options.Model.Times.size()) + " frames, expected the same number");
   }
   if (options.Certify)
   {
-    throw UsageError("--times and --certify: one picture is certified: give --time T");
+    throw UsageError(std::string(options.Model.Times.empty()
+                         ? motion.Path.empty() ? "--turntable" : "--camera-path"
+                         : "--times") +
+      " and --certify: one picture is certified: give --camera or --time");
   }
-  for (const auto& [option, path] :
-    { std::pair<const char*, std::string>("--png", options.PNG), { "--exr", options.EXR },
-      { "--baseline", options.Baseline }, { "--report", options.Report } })
+  if (!motion.Video.empty() && options.Transparent)
+  {
+    throw UsageError("--video and --transparent: give one of them; films are opaque");
+  }
+  if (given.count("--fps") > 0 && motion.Video.empty() && motion.Path.empty())
+  {
+    throw UsageError(
+      "--fps: neither a film nor a camera's path has a rate: give --video F as well");
+  }
+  const std::pair<const char*, std::string> places[] = { { "--png", options.PNG },
+    { "--exr", options.EXR }, { "--baseline", options.Baseline }, { "--report", options.Report } };
+  if (motion.Resume)
+  {
+    if (std::all_of(std::begin(places), std::end(places),
+          [](const auto& place) { return place.second.empty(); }))
+    {
+      throw UsageError("--resume: frames are kept in files: give --png F as well");
+    }
+    if (!motion.Video.empty() && options.PNG.empty())
+    {
+      throw UsageError(
+        "--resume and --video: a film is made of kept frames from their PNG files: give --png F "
+        "as well");
+    }
+    if (std::any_of(options.Layers.begin(), options.Layers.end(),
+          [](const std::string& layer) { return vtkRelievoRayLayers::IsFlow(layer.c_str()); }))
+    {
+      throw UsageError("--resume: flow needs the frame before: leave out one of them");
+    }
+  }
+  for (const auto& [option, path] : places)
   {
     if (!path.empty() && GetFrameName(path, 0).empty())
     {
-      RefuseValue(
-        option, path, "a name with %d or %04d once, the number of the frame, as --times is given");
+      RefuseValue(option, path,
+        std::string("a name with %d or %04d once, the number of the frame, as ") +
+          (options.Model.Times.empty() ? motion.Path.empty() ? "--turntable" : "--camera-path"
+                                       : "--times") +
+          " is given");
     }
   }
 }

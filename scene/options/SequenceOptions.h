@@ -1,20 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * --times, and the effects of the options of models on other options.
+ * Sequences of frames, and the effects of the options of models on other options.
  */
 #ifndef SequenceOptions_h
 #define SequenceOptions_h
 
+#include <set>
 #include <string>
 
 namespace scene
 {
 struct RenderOptions;
 
-/// Resolves how the options depend on each other. Throws UsageError if they are given and no file
-/// can have bones, or if a sequence's file names lack a number.
+/// Resolves how the options of models depend on each other. Throws UsageError if they are given and
+/// no file can have bones.
 void CheckModelOptions(RenderOptions& options);
+
+/// Whether the options ask for several frames.
+bool IsSequence(const RenderOptions& options);
+
+/// Throws UsageError for options of sequences without a sequence or without each other, and if its
+/// file names lack a number. `given`: the names of all options given.
+void CheckSequence(const RenderOptions& options, const std::set<std::string>& given);
 
 /// The file name of a frame: %d or %04d becomes its number. "" for a name with no or several such
 /// places.

@@ -16,11 +16,12 @@ const char* const Stage = "tone";
 //------------------------------------------------------------------------------
 void TakeTone(RenderOptions& options, const std::string& word)
 {
-  const char* const form = "clamp, simple, reinhard or reinhard-rgb, the latter two with ,white=W";
+  const char* const form =
+    "neutral, clamp, simple, reinhard or reinhard-rgb, the latter two with ,white=W";
   const std::vector<std::string> pieces = Split(word, ',');
-  const char* const operators[] = { "clamp", "simple", "reinhard", "reinhard_rgb" };
+  const char* const operators[] = { "clamp", "simple", "reinhard", "reinhard_rgb", "neutral" };
   const std::size_t which =
-    ParseChoice("--tone", pieces[0], { "clamp", "simple", "reinhard", "reinhard-rgb" });
+    ParseChoice("--tone", pieces[0], { "clamp", "simple", "reinhard", "reinhard-rgb", "neutral" });
   StageChoice& choice = AddStage(options.Stages, Stage, "--tone");
   choice.Parameters.emplace_back("operator", operators[which]);
   for (std::size_t i = 1; i < pieces.size(); ++i)
@@ -30,7 +31,7 @@ void TakeTone(RenderOptions& options, const std::string& word)
     {
       RefuseValue("--tone", word, form);
     }
-    if (which < 2)
+    if (pieces[0].rfind("reinhard", 0) != 0)
     {
       RefuseValue(
         "--tone", word, pieces[0] + " alone: only reinhard and reinhard-rgb have a white point");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tone mapping: from linear light of any size to linear light in [0, 1], and from there to 8 bits.
 // Reinhard's operators: E. Reinhard and others, Photographic tone reproduction for digital images,
-// 2002.
+// 2002. Neutral: Khronos PBR Neutral Tone Mapper, Khronos Group, 2024.
 
 // The largest half: larger values count as this.
 const float relievoToneLargest = float(65504.0);
@@ -93,8 +93,24 @@ vec3 relievoToneIntoGamut(vec3 c)
     most > float(1.0) ? vec3(grey) + share * (c - vec3(grey)) : c);
 }
 
-// By number: 0 clamp, 1 simple, 2 Reinhard on luminance, 3 Reinhard by component. The input is
-// clean; the result is in [0, 1].
+// Neutral: the light below 0.8 keeps its value, less the share of 0.04 that surfaces mirror; the
+// brightest component is compressed above that, and the colour moves towards white.
+vec3 relievoToneNeutral(vec3 c)
+{
+  const float mirrored = float(0.04);
+  const float start = float(0.8) - mirrored; // of the compression
+  const float rest = float(1.0) - start;
+  float least = min(c.x, min(c.y, c.z));
+  float offset = least < float(2.0) * mirrored ? least - float(6.25) * least * least : mirrored;
+  vec3 base = c - vec3(offset);
+  float peak = max(base.x, max(base.y, base.z));
+  float shown = float(1.0) - rest * rest / (max(peak, start) + rest - start);
+  float faded = float(1.0) - float(1.0) / (float(0.15) * (peak - shown) + float(1.0));
+  return peak > start ? mix(base * (shown / peak), vec3(shown), faded) : base;
+}
+
+// By number: 0 clamp, 1 simple, 2 Reinhard on luminance, 3 Reinhard by component, 4 neutral. The
+// input is clean; the result is in [0, 1].
 vec3 relievoTone(int which, vec3 c, float white)
 {
   if (which == 1)
@@ -105,7 +121,9 @@ vec3 relievoTone(int which, vec3 c, float white)
   {
     return relievoToneIntoGamut(relievoToneReinhard(c, white));
   }
-  return relievoToneClamp(which == 3 ? relievoToneReinhardRgb(c, white) : c);
+  return relievoToneClamp(which == 3 ? relievoToneReinhardRgb(c, white)
+      : which == 4                   ? relievoToneNeutral(c)
+                                     : c);
 }
 
 // The linear light shown for a pixel's colour of which the share `cover` is covered: the covering

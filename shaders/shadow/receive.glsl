@@ -31,6 +31,10 @@ uniform vec3 relievoShadowCenter; // eye space
 // the light if eye and light see the same side, because a picture and a map have opposite
 // handedness.
 uniform float relievoShadowHand;
+// A catcher's colour follows the background's gradient: by this share of it from the bottom to the
+// top. The height in the picture, from the rows of the projection that give y and w.
+uniform vec3 relievoCatcherRise;
+uniform vec4 relievoCatcherHeight[2];
 uniform float relievoShadowStrength[RELIEVO_SHADOW_LIGHTS];
 uniform int relievoShadowSlot[RELIEVO_SHADOW_NUMBERS]; // of light N of the renderer; -1: casts none
 #if defined(RELIEVO_SHADOW_IMPOSTOR)
@@ -180,7 +184,10 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 #endif
 
 //RELIEVO::Section(CatchImpl)
-  vec3 relievoCatcherColor = ambientColor;
+  float relievoCatcherUp = 0.5 +
+    0.5 * dot(relievoCatcherHeight[0], vertexVC) / dot(relievoCatcherHeight[1], vertexVC);
+  vec3 relievoCatcherColor =
+    ambientColor * (1.0 + clamp(relievoCatcherUp, 0.0, 1.0) * relievoCatcherRise);
   ambientColor = vec3(0.0);
   diffuseColor = vec3(1.0);
 

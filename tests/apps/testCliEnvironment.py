@@ -218,6 +218,24 @@ class Environments(CliTest):
                              camera=((0, 0, 5), (0, 0, 0), (0, 1, 0)))  # fmt: skip
             self.assert_colour(seen, shown(0.5), 1)
 
+    def test_very_bright_or_dark_light(self):
+        """Even light becomes 0.4 with a preset, unless its intensity is given."""
+        studio = {"RELIEVO_PRESET": "studio"}
+        small = ("--size", "16x12", "--skybox", "--stage", "antialias:samples=1", "--ground", "off",
+                 "--camera", "100,0,0,200,0,0,0,1,0")  # fmt: skip
+        for light, words, expected, says in (
+            (20, "", 0.4, "too bright"), (0.01, "", 0.4, "too dark"), (0.5, "", 0.5, ""),
+            (20, ",intensity=0.01", 0.2, ""),
+        ):  # fmt: skip
+            with self.subTest(light=light, words=words):
+                name = self.uniform(light)
+                done = self.relievo("render", "plane.obj", "--environment", name + words, *small,
+                                    "--png", "a.png", environment=studio)  # fmt: skip
+                self.assertEqual("drawn with intensity=" in done.stderr, bool(says), done.stderr)
+                self.assertIn(says, done.stderr)
+                seen = read_png(self.folder / "a.png")[..., :3].astype(int)
+                self.assert_colour(seen, shown(expected), 2)
+
     def test_nothing_else_lights(self):
         """Without --light there is no lamp beside the environment."""
         seen = self.draw("--environment", self.uniform(0.0), "--skybox",

@@ -62,7 +62,7 @@ class Fog(CliTest):
 
     def test_notes(self):
         done = self.render("--fog", "bare.vtp", "--png", "a.png")
-        self.assertIn("bare.vtp: fog with radius 1 and density 1", done.stderr)
+        self.assertIn("bare.vtp: fog with radius 1 and density 0.2", done.stderr)
         done = self.render("--fog", "fog.vtp", "--png", "a.png")
         self.assertEqual(done.stderr, "")
         self.write("some.vtp", [(0, 0, 0), (1, 0, 0)], radius=(1, [0.8, 0]), density=(1, [1, 1]))

@@ -71,14 +71,16 @@ class Completion(unittest.TestCase):
                 known |= set(options_of("render")) - {
                     "--camera", "--parallel-scale", "--clip", "--times", "--png", "--exr",
                     "--baseline", "--portable", "--report", "--hdr", "--transparent",
-                    "--certify", "--figure"}  # fmt: skip
+                    "--certify", "--figure", "--turntable", "--camera-path", "--video", "--fps",
+                    "--resume"}  # fmt: skip
             self.assertEqual(sorted(offered), sorted(known))
 
     def test_the_viewer_takes_the_words_of_render(self):
         viewer = RELIEVO + "-viewer"
         offered = complete("-", known="", program=viewer)  # asks the command beside it
         outputs = {"--png", "--exr", "--baseline", "--portable", "--report", "--layers", "--hdr",
-                   "--lens", "--transparent", "--certify"}  # fmt: skip
+                   "--lens", "--transparent", "--certify", "--turntable", "--camera-path",
+                   "--video", "--fps", "--resume"}  # fmt: skip
         own = {"--once", "--help", "--version"}
         self.assertEqual(set(offered), set(options_of("render")) - outputs | own)
         self.assertEqual(

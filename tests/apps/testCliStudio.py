@@ -200,6 +200,43 @@ class Studio(CliTest):
             self.picture("flat.obj", *COARSE),
             self.picture("flat.obj", *COARSE, "--ground", "off"))  # fmt: skip
 
+    def test_ground_over_a_gradient(self):
+        """Far from the model the ground has the background's colour behind it: it has no edge."""
+        self.sphere("ball.obj")
+        camera = ["--camera", "0,6,20,0,2,0,0,1,0"]
+        for preset in ("studio", "town"):
+            seen, without = (self.picture("ball.obj", *COARSE, *camera, "--preset", preset,
+                                          "--ground", word) for word in ("on", "off"))  # fmt: skip
+            # A ball's share of the sky at its radius' fivefold is 1 / 125, half of which counts.
+            far = abs(seen - without)[:60, :40]
+            self.assertLessEqual(far.max(), 2, preset)
+            self.assertGreater(abs(seen - without).max(), 20, preset)
+
+    def test_night(self):
+        """The sky becomes dark as the sun sets, by its elevation alone, and no light comes from
+        below the horizon; paper stays white."""
+        self.sphere("ball.obj")
+
+        def sky(preset, sun, *more):
+            done = self.relievo("render", "ball.obj", "--ground", "off", "--preset", preset,
+                                "--light", "sun:" + sun, *SMALL, "--stage", "antialias:samples=1",
+                                *([] if preset == "print" else COARSE), "--png", "a.png",
+                                *more)  # fmt: skip
+            self.assertEqual("night" in done.stderr, sun.split(",")[1].startswith("-"))
+            return read_png(self.folder / "a.png")[..., :3].astype(int)
+
+        for preset in ("studio", "town"):
+            pictures = [sky(preset, f"215,{height}") for height in (60, 0, -6, -18)]
+            corners = [picture[[0, -1], 0].mean() for picture in pictures]
+            for lighter, darker in zip(corners, corners[1:]):
+                self.assertGreater(lighter, 1.2 * darker)
+            self.assertLess(corners[-1], 32)
+            numpy.testing.assert_array_equal(pictures[-1], sky(preset, "35,-40"))
+            self.assertGreater(pictures[-1].max(), 40)  # the fill lights show the ball
+        numpy.testing.assert_array_equal(sky("print", "215,-18")[0, 0], 255)
+        white = sky("town", "215,-18", "--background", "white")
+        numpy.testing.assert_array_equal(white[0, 0], 255)
+
     def test_ground_in_all_light(self):
         """Its brightness is the share of the unobstructed light that arrives; lamps add to it. A
         ball stands on it, and is seen from above."""
@@ -220,7 +257,7 @@ class Studio(CliTest):
         def picture(*words):
             return self.picture(
                 "ball.obj", "--camera", "0,20,0,0,0,0,0,0,-1", "--parallel-scale", 4.5, *words,
-                "--preset", "studio", size=SMALL)  # fmt: skip
+                "--preset", "studio", "--background", "#ccd1d9", size=SMALL)  # fmt: skip
 
         def compare(share, *words, where=place, step=6.0):
             """The share of the light: 0.6 of it can be blocked, and the rest is in shadows, too."""

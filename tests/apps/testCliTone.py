@@ -19,6 +19,12 @@ def curve(x, white):
     return x * (1 + x / white**2) / (1 + x)
 
 
+def neutral(x):
+    """Grey light of 0.08 or more."""
+    base = x - 0.04
+    return numpy.where(base < 0.76, base, 1 - 0.24**2 / (base + 0.24 - 0.76))
+
+
 class Tone(CliTest):
     def setUp(self):
         super().setUp()
@@ -44,7 +50,8 @@ class Tone(CliTest):
         self.check_picture(curve(light, 20), "--tone", "reinhard,white=20")
         self.check_picture(curve(light, 20), "--tone", "reinhard-rgb,white=20")
         self.check_picture(numpy.minimum(light / 32, 1), "--tone", "clamp", "--exposure", -5)
-        self.check_picture(curve(light / 8, 4), "--exposure", -3)
+        self.check_picture(neutral(light), "--tone", "neutral")
+        self.check_picture(neutral(light / 8), "--exposure", -3)
         self.check_picture(numpy.ones(3), "--tone=reinhard,white=4")
 
     def test_white_is_exactly_white(self):
@@ -53,7 +60,7 @@ class Tone(CliTest):
 
     def test_automatic_exposure(self):
         # All that is drawn has one light, which becomes 0.18, a stop brighter 0.36.
-        self.check_picture(curve(0.18 * numpy.ones(3), 4), "--exposure", "auto")
+        self.check_picture(neutral(0.18 * numpy.ones(3)), "--exposure", "auto")
         self.check_picture(numpy.full(3, 0.36), "--tone", "clamp", "--exposure", "auto", "--stage",
                            "tone:exposure=1")  # fmt: skip
 
@@ -88,6 +95,7 @@ class Tone(CliTest):
             (["--tone", "reinhard,white=4,white=5"], ["--tone", "white=W"]),
             (["--tone", "reinhard,white=0"], ["--tone", "white", "'0'", "0.01"]),
             (["--tone", "reinhard,white=nan"], ["--tone", "white", "'nan'"]),
+            (["--tone", "neutral,white=4"], ["--tone", "'neutral,white=4'", "white point"]),
             (["--tone", "simple,white=4"], ["--tone", "'simple,white=4'", "white point"]),
             (["--exposure", "bright"], ["--exposure", "'bright'", "auto"]),
             (["--exposure", "nan"], ["--exposure", "'nan'", "auto"]),

@@ -324,7 +324,7 @@ void TestParameters()
 {
   vtkNew<vtkRelievoPass> frame;
   vtkRelievoStage* tone = frame->GetStage("tone");
-  RELIEVO_CHECK(tone->GetParameterDefault("operator") == "reinhard");
+  RELIEVO_CHECK(tone->GetParameterDefault("operator") == "neutral");
   RELIEVO_CHECK(tone->TrySetParameter("operator", "reinhard_rgb").empty());
   RELIEVO_CHECK(tone->TrySetParameter("dither", "blue_noise").empty());
   RELIEVO_CHECK(tone->TrySetParameter("exposure", "-1.5").empty());

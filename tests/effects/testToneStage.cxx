@@ -34,7 +34,7 @@ void TestOperators()
   ToneScene scene(64, 48);
   relievoTest::GLCheck gl(scene.Window);
   scene.PaintLight();
-  for (int which = 0; which < 4; ++which)
+  for (int which = 0; which <= vtkRelievoToneStage::NEUTRAL; ++which)
   {
     for (const double white : { 0.5, 4. })
     {
@@ -58,6 +58,7 @@ void TestOperators()
 void TestWhiteAndLayer()
 {
   ToneScene scene(4, 2);
+  scene.Tone->SetOperatorToReinhard();
   scene.Tone->SetWhite(8.0);
   auto& pixels = scene.Paint->Pixels;
   pixels = { { 8, 8, 8, 1 }, { 9, 9, 9, 1 }, { 7.5, 7.5, 7.5, 1 }, { 65504, 65504, 65504, 1 },
@@ -203,7 +204,7 @@ void TestAlpha()
     }
     RELIEVO_CHECK_AT_MOST(most, Rounding, "alpha, steps of 255");
   };
-  for (const int which : { 1, 2, 3 })
+  for (const int which : { 1, 2, 3, 4 })
   {
     scene.Tone->SetOperator(which);
     // Over black the colour is premultiplied; over white of alpha 0 it is the visible colour.

@@ -194,14 +194,15 @@ uvec4 relievoTestColor(int which, uvec4 a)
   return uvec4(relievoHash(a.x), relievoHash(a.y), relievoHash(a.z), relievoHash(a.w));
 }
 
-// Tone: a.xyz light, whatever it is; 56: a.xyz coordinates of pixels; 57: values and thresholds.
+// Tone: a.xyz light, whatever it is; 56: a.xyz coordinates of pixels; 57: values and thresholds;
+// 58: light by the operator neutral.
 uvec4 relievoTestTone(int which, uvec4 a)
 {
   vec3 v = relievoTestVector(a);
   vec3 light = relievoToneClean(v);
-  if (which < 54)
+  if (which < 54 || which == 58)
   {
-    return relievoTestBits3(relievoTone(which - 50, light, float(4.0)));
+    return relievoTestBits3(relievoTone(which == 58 ? 4 : which - 50, light, float(4.0)));
   }
   if (which == 54)
   {

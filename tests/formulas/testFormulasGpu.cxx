@@ -277,6 +277,7 @@ void TestTone(relievoTest::GpuCases& gpu)
   {
     Compare(gpu, { 50 + i, names[i], { shown, shown, shown, shown } }, light);
   }
+  Compare(gpu, { 58, "neutral", { shown, shown, shown, shown } }, light);
   const Rule ulps = Number(6e-7, 0.);
   const Rule stops = Number(1e-6, 4e-6);
   Compare(gpu, { 54, "luminance", { ulps, stops, Number(1e-5, 0.), Same } }, light);

@@ -140,6 +140,55 @@ void TestOperators()
   RELIEVO_CHECK(bright.y == bright.z);
 }
 
+// The inverse that the Khronos Group publishes.
+glm::dvec3 GetNeutralInverse(glm::dvec3 c)
+{
+  const double start = 0.76;
+  const double peak = std::max({ c.x, c.y, c.z });
+  if (peak > start)
+  {
+    const double rest = 1. - start;
+    const double before = rest * rest / (1. - peak) - rest + start;
+    const double kept = 1. / (0.15 * (before - peak) + 1.);
+    c = (c + (kept - 1.) * peak) / kept * (before / peak);
+  }
+  const double least = std::min({ c.x, c.y, c.z });
+  const double root = std::sqrt(least / 6.25);
+  return c + (least < 0.04 ? root - 6.25 * root * root : 0.04);
+}
+
+void TestNeutral()
+{
+  // By hand: 0.5 - 0.04; 1 - 0.24^2 / (2 - 0.04 + 0.24 - 0.76); 6.25 0.04^2.
+  RELIEVO_CHECK_NEAR(f64::relievoTone(4, glm::dvec3(0.5), 4.).x, 0.46, 1e-15, "neutral of 0.5");
+  RELIEVO_CHECK_NEAR(f64::relievoTone(4, glm::dvec3(2.), 4.).y, 0.96, 1e-15, "neutral of 2");
+  RELIEVO_CHECK_NEAR(f64::relievoTone(4, glm::dvec3(0.04), 4.).z, 0.01, 1e-15, "neutral of 0.04");
+  double hue = 0.;
+  double inverse = 0.;
+  double rounding = 0.;
+  for (const glm::dvec3& c : GetLights())
+  {
+    const glm::dvec3 shown = f64::relievoTone(4, c, 4.);
+    const glm::dvec3 off = glm::abs(glm::dvec3(f32::relievoTone(4, glm::vec3(c), 4.F)) - shown);
+    rounding = std::max({ rounding, off.x, off.y, off.z });
+    const double most = std::max({ c.x, c.y, c.z });
+    RELIEVO_CHECK(std::min({ shown.x, shown.y, shown.z }) >= 0.);
+    RELIEVO_CHECK(std::max({ shown.x, shown.y, shown.z }) <= 1.);
+    if (most < 100. && most > 0.) // beyond, white's neighbours in double become coarse
+    {
+      const glm::dvec3 again = GetNeutralInverse(shown);
+      inverse = std::max(inverse, glm::length(again - c) / most);
+      hue = std::max(hue,
+        most - std::min({ c.x, c.y, c.z }) < 1e-3 * most
+          ? 0.
+          : std::abs(GetMiddlePlace(shown) - GetMiddlePlace(c)));
+    }
+  }
+  RELIEVO_CHECK_AT_MOST(inverse, 1e-7, "neutral, inverse");
+  RELIEVO_CHECK_AT_MOST(hue, 1e-9, "hue after neutral");
+  RELIEVO_CHECK_AT_MOST(rounding, 4e-7, "neutral, float");
+}
+
 void TestNoLight()
 {
   const float nan = static_cast<float>(NaN);
@@ -148,7 +197,7 @@ void TestNoLight()
   RELIEVO_CHECK(clean == glm::vec3(0.f, 0.f, 65504.f));
   RELIEVO_CHECK(
     f32::relievoToneClean(glm::vec3(-infinity, 0.5f, -0.f)) == glm::vec3(0.f, 0.5f, 0.f));
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < 5; ++i)
   {
     const glm::vec3 shown = f32::relievoTone(i, clean * 1048576.f, 0.01f);
     RELIEVO_CHECK(shown.z <= 1.f && shown.z > 0.99f && shown.x >= 0.f && shown.y >= 0.f);
@@ -220,6 +269,7 @@ RELIEVO_TEST_CASE(testFormulasTone)
   relievoTest::Session session;
   TestCurves();
   TestOperators();
+  TestNeutral();
   TestNoLight();
   TestAutoExposure();
   TestDithering();

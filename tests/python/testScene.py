@@ -40,6 +40,7 @@ from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkCamera,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
@@ -227,6 +228,29 @@ class Scene(unittest.TestCase):
         scene.renderer.GetActiveCamera().SetViewAngle(5)
         scene.window.SetSize(50, 40)
         self.assertEqual(self.picture(scene), still)
+
+    def test_movies(self):
+        """Frames equal stills of their views; views are cameras or triples, with their times."""
+        scene = relievo.scene(self.mesh, size=SIZE)
+        views = [((1, 3, 9), (0, 0, 0), (0, 1, 0)), ((7, 3, 4), (0, 0, 0), (0, 1, 0))]
+        camera = vtkCamera()
+        camera.SetPosition(views[1][0])
+        scene.movie(png=self.path("m%d.png"), camera_path=[(1, views[0]), (1.5, camera)], fps=4)
+        frames = [(self.folder / f"m{i}.png").read_bytes() for i in range(3)]
+        for view, frame in zip(views, frames[::2]):
+            still = relievo.scene(self.mesh, size=SIZE, camera=sum(view, ()))
+            self.assertEqual(self.picture(still), frame)
+        self.assertNotEqual(frames[1], frames[0])
+        (self.folder / "m1.png").unlink()
+        scene.movie(png=self.path("m%d.png"), camera_path=[(1, views[0]), (1.5, camera)], fps=4,
+                    resume=True)  # fmt: skip
+        self.assertEqual((self.folder / "m1.png").read_bytes(), frames[1])
+        alone = [(1, views[0])]
+        for wrong in ({"turntable": 1}, {"turntable": 3, "fps": 2}, {"camera_path": alone}):
+            with self.assertRaises(ValueError):
+                scene.movie(png=self.path("w%d.png"), **wrong)
+        with self.assertRaisesRegex(ValueError, "movie"):
+            scene.set(turntable=3)
 
     def test_two_scenes_in_turns(self):
         """A scene's options are applied while another's window drew last, in another state."""

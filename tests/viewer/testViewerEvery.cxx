@@ -84,7 +84,7 @@ const std::set<std::string> Elsewhere = { "--size", "--camera", "--parallel-scal
 const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--shadow-tolerance",
   "--time-budget", "--stage", "--ambient", "--deferred", "--tone", "--exposure", "--certify",
   "--layers", "--hdr", "--lens", "--png", "--exr", "--baseline", "--portable", "--report",
-  "--transparent", "--figure" };
+  "--transparent", "--figure", "--turntable", "--camera-path", "--video", "--fps", "--resume" };
 
 // The result follows from measured times.
 const std::string Measured = "time_budget";

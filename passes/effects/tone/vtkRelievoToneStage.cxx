@@ -110,14 +110,14 @@ void vtkRelievoToneStage::Describe(vtkRelievoStageDescription& description)
   description.Writes = { vtkRelievoResources::Picture };
   description.AddChoice(
     "operator", this->Operator, [this](int which) { this->SetOperator(which); },
-    { "clamp", "simple", "reinhard", "reinhard_rgb" },
+    { "clamp", "simple", "reinhard", "reinhard_rgb", "neutral" },
     "Maps light to the display's range: cut off at 1, x / (1 + x), Reinhard's curve on the "
-    "luminance, or on each component.");
+    "luminance, or on each component; neutral keeps light below 0.8.");
   description
     .AddNumber(
       "white", this->White, [this](double white) { this->SetWhite(white); }, 0.01, 65504.0, "",
       "Light that Reinhard's curves show as white.")
-    .OnlyIf = "operator!=clamp,operator!=simple";
+    .OnlyIf = "operator!=clamp,operator!=simple,operator!=neutral";
   description.AddNumber(
     "exposure", this->Exposure, [this](double stops) { this->SetExposure(stops); }, -20.0, 20.0,
     "stops", "The light is multiplied by 2 to this power.");

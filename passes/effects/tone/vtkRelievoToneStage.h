@@ -36,20 +36,22 @@ public:
   /** Operators, for linear light x. */
   enum Operators
   {
-    CLAMP = 0,       ///< min(x, 1)
-    SIMPLE = 1,      ///< x / (1 + x), for each component
-    REINHARD = 2,    ///< x (1 + x / White^2) / (1 + x) of the luminance: keeps the hue
-    REINHARD_RGB = 3 ///< the same for each component: shifts the hue of bright colours
+    CLAMP = 0,        ///< min(x, 1)
+    SIMPLE = 1,       ///< x / (1 + x), for each component
+    REINHARD = 2,     ///< x (1 + x / White^2) / (1 + x) of the luminance: keeps the hue
+    REINHARD_RGB = 3, ///< the same for each component: shifts the hue of bright colours
+    NEUTRAL = 4 ///< Khronos PBR Neutral (2024): light below 0.8 stays, brighter light is compressed
   };
 
   ///@{
-  /** Maps light to [0, 1]. Default REINHARD. */
-  vtkSetClampMacro(Operator, int, CLAMP, REINHARD_RGB);
+  /** Maps light to [0, 1]. Default NEUTRAL. */
+  vtkSetClampMacro(Operator, int, CLAMP, NEUTRAL);
   vtkGetMacro(Operator, int);
   void SetOperatorToClamp() { this->SetOperator(CLAMP); }
   void SetOperatorToSimple() { this->SetOperator(SIMPLE); }
   void SetOperatorToReinhard() { this->SetOperator(REINHARD); }
   void SetOperatorToReinhardRgb() { this->SetOperator(REINHARD_RGB); }
+  void SetOperatorToNeutral() { this->SetOperator(NEUTRAL); }
   ///@}
 
   ///@{
@@ -127,7 +129,7 @@ protected:
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
   void Execute(vtkRelievoFrameContext& context) override;
 
-  int Operator = REINHARD;
+  int Operator = NEUTRAL;
   double White = 4.0;
   double Exposure = 0.0;
   bool AutoExposure = false;

@@ -8,6 +8,7 @@
 #include "vtkProp.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRenderState.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <iterator>
@@ -37,6 +38,19 @@ void vtkRelievoShadowCatcher::Make(vtkProp* prop)
 bool vtkRelievoShadowCatcher::Is(vtkProp* prop)
 {
   return prop->GetPropertyKeys() && prop->GetPropertyKeys()->Has(GetKey());
+}
+
+//------------------------------------------------------------------------------
+glm::vec3 vtkRelievoShadowCatcher::GetRise(vtkRenderer* renderer)
+{
+  const auto darkest = 1.0 / 255.0; // black has no share
+  glm::vec3 rise(0.F);
+  for (int i = 0; i < 3 && renderer->GetGradientBackground(); ++i)
+  {
+    rise[i] = static_cast<float>(
+      renderer->GetBackground2()[i] / std::max(renderer->GetBackground()[i], darkest) - 1.0);
+  }
+  return rise;
 }
 
 //------------------------------------------------------------------------------

@@ -3,22 +3,29 @@
 //
 // Shadow catchers: translucent props that have their ambient colour wherever all light reaches
 // them, whatever the lights are, and show shadows of occluders: the stages `shadows` and `ambient`
-// darken them, and `lamps` lights them in any case.
+// darken them, and `lamps` lights them in any case. Over a gradient, the colour changes with the
+// background's: one in the colour of its bottom is invisible where it is lit.
 #ifndef vtkRelievoShadowCatcher_h
 #define vtkRelievoShadowCatcher_h
 
 #include "vtkRelievoFrameModule.h" // for the export macro
 
+#include <glm/vec3.hpp>
+
 #include <vector>
 
 class vtkProp;
 class vtkRelievoFrameContext;
+class vtkRenderer;
 
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoShadowCatcher
 {
   // Marks a prop as a shadow catcher, before it is drawn for the first time.
   static void Make(vtkProp* prop);
   static bool Is(vtkProp* prop);
+
+  // By which share of its bottom's colour a renderer's background changes up to its top.
+  static glm::vec3 GetRise(vtkRenderer* renderer);
 
   // The shadow catchers of the frame.
   static std::vector<vtkProp*> Find(const vtkRelievoFrameContext& context);

@@ -46,6 +46,8 @@ struct vtkRelievoShadowContext
   // For soft lights' parts, in frames that draw all samples at once: the step between their numbers
   // (vtkRelievoSampleLattice::GetNumberStep); 0, 0 in other frames.
   glm::vec2 PartStep{ 0.f };
+  // By which share of the bottom's colour the background's gradient changes up to its top.
+  glm::vec3 BackgroundRise{ 0.f };
   int MapsDrawn = 0; // in this frame
   bool DrawingMaps = false;
   bool DrawingDepth = false; // a method is drawing the camera's depth

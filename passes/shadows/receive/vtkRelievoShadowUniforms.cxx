@@ -11,6 +11,8 @@
 #include "vtkRelievoShadowMethod.h"
 #include "vtkShaderProgram.h"
 
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <vector>
 
@@ -67,6 +69,10 @@ void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
   program->SetUniform3f("relievoShadowCenter", &center.x);
   program->SetUniform1fv("relievoShadowStrength", lights, strengths.data());
   program->SetUniform1iv("relievoShadowSlot", work.Structure.Numbers, slots.data());
+  const glm::mat4 rows = glm::transpose(work.View.GetProjection());
+  const glm::vec4 heights[] = { rows[1], rows[3] };
+  program->SetUniform4fv("relievoCatcherHeight", 2, reinterpret_cast<const float(*)[4]>(heights));
+  program->SetUniform3f("relievoCatcherRise", &work.BackgroundRise.x);
   const bool mirrored = work.View.GetWinding() < 0.0;
   program->SetUniformf("relievoShadowHand", mirrored ? 1.f : -1.f);
   if (parts > 0)
