@@ -156,9 +156,11 @@ class Scale(unittest.TestCase):
 @unittest.skipUnless(importlib.util.find_spec("relievo"), "no package relievo")
 class Compare(unittest.TestCase):
     def run_with(self, *words):
+        """Runs the bench with these options, by the command."""
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([sys.executable, BENCH / "compare.py", "--out", folder, *words],
-                           stdout=subprocess.DEVNULL, check=True)  # fmt: skip
+            subprocess.run(
+                [os.environ["RELIEVO"], "bench", "compare", "--out", folder, "--", *words],
+                stdout=subprocess.DEVNULL, check=True)  # fmt: skip
             found = []
             for name in ("compare", "compare-faults"):
                 table = pathlib.Path(folder, f"{name}.csv").read_text(encoding="utf-8")
