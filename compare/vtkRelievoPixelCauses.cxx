@@ -224,10 +224,10 @@ void PixelCauses::ForNeighbours(std::size_t pixel, Visit visit, int reach) const
 
 //------------------------------------------------------------------------------
 template <typename Value>
-bool PixelCauses::IsBetween(std::size_t pixel, double limit, Value value, double widening) const
+bool PixelCauses::IsBetween(std::size_t pixel, double limit, Value value) const
 {
-  return this->IsBetween(this->A, this->B, pixel, limit, value, widening) &&
-    this->IsBetween(this->B, this->A, pixel, limit, value, widening);
+  return this->IsBetween(this->A, this->B, pixel, limit, value) &&
+    this->IsBetween(this->B, this->A, pixel, limit, value);
 }
 
 //------------------------------------------------------------------------------
@@ -552,7 +552,7 @@ bool PixelCauses::IsTexelRounded(std::size_t pixel, double angle) const
   }
   for (std::size_t c = 0; c < 3; ++c)
   {
-    if (!this->IsBetween(pixel, 0.5 * step, [c](const Frame& frame, std::size_t at) {
+    if (!this->IsBetween(pixel, step, [c](const Frame& frame, std::size_t at) {
           return frame.Surface.at("normal").Values[3 * at + c];
         }))
     {
@@ -563,20 +563,30 @@ bool PixelCauses::IsTexelRounded(std::size_t pixel, double angle) const
 }
 
 //------------------------------------------------------------------------------
-// Whether the picture differs by no more than the angle between the normals explains: by as much
-// as it changes towards the neighbours, for each degree by which their normals differ.
+// Whether the angle between the pixel's normals explains its colours: these lie between the colours
+// around it, extended by twice as much as they change towards those for such an angle.
 bool PixelCauses::IsOfNormal(std::size_t pixel) const
 {
-  double most = 0.0; // degrees towards the neighbours
-  for (const Frame* frame : { &this->A, &this->B })
+  for (int c = 0; c < this->CountLevels(); ++c)
   {
-    const float* normals = frame->Surface.at("normal").Values.data();
-    this->ForNeighbours(pixel, [&](std::size_t near) {
-      const double angle = AngleBetween(normals + 3 * pixel, normals + 3 * near);
-      most = angle > most ? angle : most; // also without normals, where it is NaN
-    });
+    double most = 0.0;
+    for (const Frame* frame : { &this->A, &this->B })
+    {
+      const float* normals = frame->Surface.at("normal").Values.data();
+      this->ForNeighbours(pixel, [&](std::size_t near) {
+        const double angle = AngleBetween(normals + 3 * pixel, normals + 3 * near);
+        const double change =
+          std::abs(double(frame->Level(near, c)) - double(frame->Level(pixel, c)));
+        most = std::max(most, change * this->Loose / std::max(this->Loose, angle));
+      });
+    }
+    if (!this->IsBetween(pixel, this->Bounds.ColorLevels + 2.0 * most,
+          [c](const Frame& frame, std::size_t at) { return frame.Level(at, c); }))
+    {
+      return false;
+    }
   }
-  return most > 0.0 && this->IsBetweenNeighbours(pixel, this->Loose / most);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -894,7 +904,7 @@ bool PixelCauses::IsBetweenNeighbours(std::size_t pixel, double widening) const
     if (!(this->Smoother
             ? this->IsBetween(*this->Smoother, this->Smoother == &this->A ? this->B : this->A,
                 pixel, this->Bounds.ColorLevels, value, widening)
-            : this->IsBetween(pixel, this->Bounds.ColorLevels, value, widening)))
+            : this->IsBetween(pixel, this->Bounds.ColorLevels, value)))
     {
       return false;
     }

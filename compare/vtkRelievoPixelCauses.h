@@ -103,10 +103,10 @@ private:
   void ForNeighbours(std::size_t pixel, Visit visit, int reach = 1) const;
 
   // Whether each frame's value(frame, pixel) lies between the other frame's values around the
-  // pixel; `widening` extends the ranges by a part of their width at both ends.
+  // pixel.
   template <typename Value>
-  bool IsBetween(std::size_t pixel, double limit, Value value, double widening = 0.0) const;
-  // One direction of it.
+  bool IsBetween(std::size_t pixel, double limit, Value value) const;
+  // One direction of it; `widening` extends the range by a part of its width at both ends.
   template <typename Value>
   bool IsBetween(const Frame& own, const Frame& other, std::size_t pixel, double limit, Value value,
     double widening = 0.0, int reach = 1) const;
