@@ -288,6 +288,32 @@ void AddNodes(CheckSum& sum, Function* function)
   }
 }
 
+// Adds a grey transfer function like the same one in colours, into which VTK turns the default when
+// it draws a volume.
+void AddGrayNodes(CheckSum& sum, vtkPiecewiseFunction* function)
+{
+  for (int i = 0; function && i < function->GetSize(); ++i)
+  {
+    double at[4];
+    function->GetNodeValue(i, at);
+    const double node[6] = { at[0], at[1], at[1], at[1], at[2], at[3] };
+    sum.Add(node, sizeof(node));
+  }
+}
+
+// Whether a function is 1 everywhere. VTK adds such a gradient opacity when it draws a volume.
+bool IsOne(vtkPiecewiseFunction* function)
+{
+  bool isOne = true;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[4];
+    function->GetNodeValue(i, node);
+    isOne = isOne && node[1] == 1.0;
+  }
+  return isOne;
+}
+
 // Describes the colours of a map: 256 of them, across its range.
 std::string DescribeColors(vtkScalarsToColors* map)
 {
@@ -508,9 +534,10 @@ Json DescribeVolume(vtkVolume* volume)
   {
     AddNodes(opacities, property->GetScalarOpacity(c));
     // Requesting the other kind would change the volume.
-    property->GetColorChannels(c) == 1 ? AddNodes(colors, property->GetGrayTransferFunction(c))
+    property->GetColorChannels(c) == 1 ? AddGrayNodes(colors, property->GetGrayTransferFunction(c))
                                        : AddNodes(colors, property->GetRGBTransferFunction(c));
-    if (property->HasGradientOpacity(c) && !property->GetDisableGradientOpacity(c))
+    if (property->HasGradientOpacity(c) && !property->GetDisableGradientOpacity(c) &&
+      !IsOne(property->GetGradientOpacity(c)))
     {
       gradients.Add(&c, sizeof(c));
       AddNodes(gradients, property->GetGradientOpacity(c));
