@@ -1093,9 +1093,9 @@ int PixelCauses::Explain(std::size_t pixel, const std::vector<int>& causes)
   if (hasLayers && this->Smoother)
   {
     // With other numbers of samples, pixels near edges mix surfaces, and pixels at borders of cells
-    // show cells whose values were extrapolated to the pixel's centre, from at most a pixel away: by
-    // as much as the neighbours' values differ. A place that is extrapolated into the surface is
-    // dark, in a single pixel.
+    // show cells whose values were extrapolated to the pixel's centre, from at most a pixel away:
+    // by as much as the neighbours' values differ. A place that is extrapolated into the surface
+    // is dark, in a single pixel.
     bool isBorder = false;
     bool isThin = false;
     int different = 0;
