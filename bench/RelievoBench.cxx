@@ -4,12 +4,48 @@
 
 #include "Charts.h"
 #include "Renderer.h"
+#include "Scripts.h"
 #include "Table.h"
 
 #include <iostream>
 
 namespace
 {
+using relievoBench::RunScript;
+
+int RunCompare(const std::string& outDir)
+{
+  return RunScript("compare.py", { "--out", outDir }, "", { "--quick" });
+}
+
+int RunScale(const std::string& outDir)
+{
+  return RunScript("scale.py", { "RELIEVO", "--out", outDir + "/scale.csv" }, "", { "--small" });
+}
+
+const std::vector<std::string> FewRounds = { "--rounds", "3" };
+
+int RunCommandStart(const std::string& outDir)
+{
+  return RunScript(
+    "command_start.py", { "RELIEVO", "DATA" }, outDir + "/command-start.csv", FewRounds);
+}
+
+int RunF3D(const std::string& outDir)
+{
+  return RunScript("f3d_frames.py", { "DATA" }, outDir + "/f3d.csv", FewRounds);
+}
+
+int RunStudio(const std::string& outDir)
+{
+  return RunScript("studio_samples.py", { "RELIEVO", "DATA" }, outDir + "/studio.csv", FewRounds);
+}
+
+int RunReadable(const std::string& outDir)
+{
+  return RunScript("readable_colors.py", { "RELIEVO", "DATA" }, outDir + "/readable.csv", {});
+}
+
 int RefuseName(const std::string& name)
 {
   std::cerr << "relievo: bench: no bench '" << name << "'; there are:";
@@ -77,6 +113,17 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchSkin },
     { "particles", "particles on surfaces: time of a step by number, and drift by steps",
       RelievoBenchParticles },
+    { "compare", "faults in scenes that comparisons find and explain, beside other methods",
+      RunCompare, "compare.py" },
+    { "scale", "time and memory of whole commands by the size of the scene", RunScale, "scale.py" },
+    { "command-start", "time of a command from its start to the picture", RunCommandStart,
+      "command_start.py" },
+    { "f3d", "time to load, to the first picture and per frame, beside F3D", RunF3D,
+      "f3d_frames.py" },
+    { "studio", "cost and error of the samples of the default preset", RunStudio,
+      "studio_samples.py" },
+    { "readable", "how far the colours of values in pictures are from the colour bar's",
+      RunReadable, "readable_colors.py" },
   };
   return entries;
 }

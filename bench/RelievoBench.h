@@ -3,6 +3,7 @@
 /**
  * @file RelievoBench.h
  * @brief The benches by name: each measures and writes CSV, from which charts are drawn (Charts.h).
+ * Some are Python scripts (Scripts.h).
  */
 #ifndef RelievoBench_h
 #define RelievoBench_h
@@ -16,6 +17,7 @@ struct RelievoBenchEntry
   const char* Name;
   const char* What;
   int (*Run)(const std::string& outDir);
+  const char* Script = nullptr; // a Python bench: its file
 };
 
 /** All benches, in the order of their list. */

@@ -4,7 +4,7 @@
 
     python bench/compare.py [--out FOLDER] [--quick] [--size WxH] [--seed N] [--other PYTHON]...
         [--pairs FILE] [--keep FOLDER] [--scenes a,b] [--of FILE]... [--frames no]
-        [--odiff FILE] [--vtk PYTHON]
+        [--odiff FILE] [--vtk PYTHON] [--write-frames FOLDER | --elsewhere FOLDER]
 
 Twelve scenes of bench/compare_scenes.py are drawn as baselines, then with faults, each in a new
 renderer, and with changes that are no fault, each in a process of its own: another order of actors,
@@ -28,6 +28,9 @@ compare-frames.csv the processor seconds and memory for frames of 1920 x 1080 pi
 every pair as JSON, and --of reads such files, as of several --scenes, instead of drawing. --keep
 keeps the pictures that peers compare; with --of, peers that a file does not have compare them.
 --quick draws three scenes with every fifteenth fault and two changes, without peers.
+--write-frames only draws the scenes, as EXR files. --elsewhere only compares such files, drawn on
+another machine, with the scenes drawn here, such as by a GPU: changes that are no fault. --of joins
+its --pairs with others. tools/compare-bundle packs both for such a machine.
 A display is needed where VTK needs one (tools/with-display).
 """
 
@@ -357,6 +360,24 @@ def earlier(files, peers):
             yield pair
 
 
+def versions(frame):
+    """Of Relievo, VTK and OpenGL, as a baseline records them."""
+    array = frame.GetFieldData().GetAbstractArray("versions")
+    return ", ".join(array.GetValue(i) for i in range(array.GetNumberOfValues()))
+
+
+def elsewhere(given, names, size, peers):
+    """Pairs of frames drawn on another machine and here."""
+    with tempfile.TemporaryDirectory() as folder:
+        draw_all(names, size, 0, 0, folder)
+        for number, name in enumerate(names):
+            before, after = (relievo.read_exr(str(pathlib.Path(where, f"{name}.exr")))
+                             for where in (given.elsewhere, folder))  # fmt: skip
+            if number == 0:
+                print(f"elsewhere: {versions(before)}\nhere: {versions(after)}", flush=True)
+            yield judge(name, "another renderer", before, after, peers, given.keep)
+
+
 def measure(given, names, size, peers):
     judged = functools.partial(judge, peers=peers, keep=given.keep)
     with tempfile.TemporaryDirectory() as folder:
@@ -510,6 +531,10 @@ def main():
                          help="with Relievo for another VTK; may be given several times")
     options.add_argument("--frames", choices=("yes", "no"), help="of 1920 x 1080 pixels")
     options.add_argument("--quick", action="store_true", help="few faults, and no peers")
+    options.add_argument("--write-frames", metavar="FOLDER", type=pathlib.Path,
+                         help="only draws the scenes into this folder")
+    options.add_argument("--elsewhere", metavar="FOLDER", type=pathlib.Path,
+                         help="of --write-frames on another machine; only compares these")
     options.add_argument("--draw", help=argparse.SUPPRESS)
     options.add_argument("--time", nargs=2, help=argparse.SUPPRESS)
     given = options.parse_args()
@@ -519,10 +544,14 @@ def main():
     if given.time:
         time_frames(given.time)
         return
-    given.frames = given.frames or ("no" if given.quick else "yes")
+    given.frames = given.frames or ("no" if given.quick or given.elsewhere else "yes")
     default = ",".join(QUICK if given.quick else compare_scenes.SCENES)
     names = (given.scenes or default).split(",")
     size = tuple(int(each) for each in given.size.split("x"))
+    if given.write_frames:
+        given.write_frames.mkdir(parents=True, exist_ok=True)
+        draw_all(names, size, 0, 0, given.write_frames)
+        return
     peers = {}
     for name in given.peers.split(";") if given.peers and not given.quick else ():
         score = PEERS[name][0](given)
@@ -533,7 +562,8 @@ def main():
     if given.keep:
         given.keep.mkdir(parents=True, exist_ok=True)
     pairs = []
-    for pair in earlier(given.of, peers) if given.of else measure(given, names, size, peers):
+    draws = elsewhere if given.elsewhere else measure
+    for pair in earlier(given.of, peers) if given.of else draws(given, names, size, peers):
         pairs.append(pair)
         if (pair.is_fault and pair.is_visible() and not pair.right[OURS[0]]) or (
                 not pair.is_fault and pair.scores[OURS[0]]):  # fmt: skip

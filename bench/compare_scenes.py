@@ -820,13 +820,15 @@ def of_points(draft, chance, size):
         draft.values[8:12, 8:12, 4:12] //= 2
         fill_volume(draft)
 
-    truths = (Truth("translucent", "volume", 0),)
-    for change in (functools.partial(fill_volume, opacity=0.2),
-                   functools.partial(fill_volume, opacity=0.16),
-                   functools.partial(fill_volume, color=(1, 0.8, 0.3)), values,
-                   lambda draft: draft.volumes[0].AddPosition(0.02, 0, 0),
-                   lambda draft: draft.volumes[0].VisibilityOff()):  # fmt: skip
-        yield Fault("volume", change, truths)
+    for cause, change in (
+        ("color", functools.partial(fill_volume, opacity=0.2)),
+        ("color", functools.partial(fill_volume, opacity=0.16)),
+        ("color", functools.partial(fill_volume, color=(1, 0.8, 0.3))),
+        ("array", values),
+        ("moved", lambda draft: draft.volumes[0].AddPosition(0.02, 0, 0)),
+        ("visibility", lambda draft: draft.volumes[0].VisibilityOff()),
+    ):
+        yield Fault("volume", change, (Truth(cause, "volume", 0),))
 
 
 def faults(name, draft, base, size, seed=1):

@@ -8,8 +8,9 @@
 #     [OUTPUT file]             the file that the command writes, in CMAKE_CURRENT_BINARY_DIR (NAME.exr)
 #     [LIMITS word...])         options of `relievo compare`, such as --levels 3
 #
-# The test runs `relievo compare BASELINE OUTPUT`. If the frames differ, it prints the causes, and sends them
-# and both pictures, which it writes beside OUTPUT, to CDash. It fails without a baseline.
+# The test runs `relievo compare BASELINE OUTPUT`. If the frames differ, it prints the causes, writes a report
+# (OUTPUT with the extension .html), and sends the causes and both pictures, which it writes beside OUTPUT, to
+# CDash. It fails without a baseline.
 function (relievo_add_picture_test)
   cmake_parse_arguments(PARSE_ARGV 0 test "" "NAME;BASELINE;OUTPUT" "COMMAND;LIMITS")
   foreach (word IN ITEMS NAME COMMAND BASELINE)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoCauseList.h"
 
+#include <cmath>
 #include <locale>
 #include <sstream>
 
@@ -59,6 +60,18 @@ std::string WriteShort(double number)
   out.precision(3);
   out << number + 0.0; // no -0
   return out.str();
+}
+
+//------------------------------------------------------------------------------
+std::string WriteVector(const std::array<double, 3>& v)
+{
+  const double least = 1e-6 * std::hypot(v[0], v[1], v[2]);
+  std::string words;
+  for (const double each : v)
+  {
+    words += (words.empty() ? "" : ", ") + WriteShort(std::abs(each) < least ? 0.0 : each);
+  }
+  return "(" + words + ")";
 }
 
 //------------------------------------------------------------------------------

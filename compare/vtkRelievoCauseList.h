@@ -79,6 +79,9 @@ const std::map<std::string, std::string>& GetColors();
 // A number with three significant digits, independent of the locale: "0.02".
 std::string WriteShort(double number);
 
+// "(0.02, 0, 0)"; components within the rounding error of the largest become 0.
+std::string WriteVector(const std::array<double, 3>& v);
+
 // A count with grouped digits: "2 031".
 std::string WriteCount(std::size_t count);
 

@@ -185,6 +185,7 @@ bool TakeObject(const std::string& text, Object& object)
   object.Name = TakeText(json, "name");
   object.Points = TakeText(json, "points");
   object.Cells = TakeText(json, "cells");
+  object.Glyphs = TakeText(json, "glyphs");
   object.Visible = TakeFlag(json, "visible", true);
   object.Translucent = TakeFlag(json, "translucent", false);
   object.HasNormalMap = TakeFlag(json, "normal_map", false);
@@ -192,6 +193,7 @@ bool TakeObject(const std::string& text, Object& object)
   object.Settings = json.value("settings", Json::object());
   object.Color = json.value("color", Json());
   object.Clipping = json.value("clipping", Json());
+  object.Blocks = json.value("blocks", Json());
   return true;
 }
 
@@ -199,7 +201,7 @@ const std::set<std::string> StageLayers = { "light", "fog", "ambient", "marker",
 
 // Layers that are not compared: they repeat others, or describe the method instead of the scene.
 const std::set<std::string> PassedOver = { "range", "geometric_normal", "light_depth",
-  "lamp_evaluations", "lamps_reaching" };
+  "lamp_evaluations", "lamps_reaching", "volume_position", "volume_value", "volume_normal" };
 }
 
 //------------------------------------------------------------------------------
@@ -261,6 +263,14 @@ std::string Frame::Read(vtkImageData* image)
     else if (vtkRelievoLayerCatalogue::GetIsOfLight(name) && components == 1)
     {
       this->Shadow[name] = GetValues<float>(array);
+    }
+    else if (name == "volume" && components == 1)
+    {
+      this->VolumeId = GetValues<int>(array);
+    }
+    else if ((name == "volume_depth" || name == "volume_opacity") && components == 1)
+    {
+      (name == "volume_depth" ? this->VolumeDepth : this->VolumeOpacity) = GetValues<float>(array);
     }
     else if (StageLayers.count(name) != 0)
     {
@@ -528,9 +538,8 @@ double Frame::GetDepth(std::size_t pixel) const
 }
 
 //------------------------------------------------------------------------------
-double Frame::GetFootprint(std::size_t pixel) const
+double Frame::GetFootprintAt(double depth) const
 {
-  const double depth = this->GetDepth(pixel);
   if (!this->HasCamera || !std::isfinite(depth))
   {
     return 0.0;

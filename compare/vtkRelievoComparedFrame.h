@@ -29,12 +29,14 @@ struct Object
   bool Translucent = false; // translucent objects appear in no layer
   std::array<double, 16> Matrix{};
   std::string Points, Cells; // counts and check sums of the mesh
+  std::string Glyphs;        // check sum of the shapes at its points; empty: unknown, or none
   std::array<double, 3> Center{};
   std::array<double, 9> Spread{};                            // the covariance of the mesh's points
   std::array<double, 6> Bounds{ 1., -1., 1., -1., 1., -1. }; // in world coordinates
   nlohmann::json Settings;                                   // the values of its vtkProperty
   nlohmann::json Color;                                      // null: coloured by an array, unknown
   nlohmann::json Clipping; // origin and normal of each plane; null: unknown
+  nlohmann::json Blocks;   // those with attributes of their own; null: unknown
   bool HasNormalMap = false;
   std::string NormalMap; // its check sum; empty: unknown
 };
@@ -79,6 +81,8 @@ public:
   std::map<std::string, Layer> Surface; // other layers of surfaces: normal, albedo, arrays
   std::map<std::string, std::vector<float>> Shadow; // shadows of lights, by the layer's name
   std::map<std::string, Layer> Stages;              // light, fog, ambient, marker, blend
+  std::vector<int> VolumeId;                        // empty: no such layer, as of the following
+  std::vector<float> VolumeDepth, VolumeOpacity;
 
   bool HasRecord = false;
   bool IsPortable = false; // the layers of surfaces are from rays
@@ -117,8 +121,12 @@ public:
   // behind the camera.
   bool Project(const double point[3], double place[2]) const;
 
-  // The size of a pixel in world units, at this pixel's depth.
-  double GetFootprint(std::size_t pixel) const;
+  // The size of a pixel in world units, at this pixel's depth, or at a given depth.
+  double GetFootprint(std::size_t pixel) const
+  {
+    return this->GetFootprintAt(this->GetDepth(pixel));
+  }
+  double GetFootprintAt(double depth) const;
 
   // Whether depths are known, from a layer or from positions and camera.
   bool HasDepths() const

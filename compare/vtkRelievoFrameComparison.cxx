@@ -10,6 +10,7 @@
 #include "vtkRelievoMessageText.h"
 #include "vtkRelievoObjectChanges.h"
 #include "vtkRelievoPixelCauses.h"
+#include "vtkRelievoReaderProcess.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkErrorCode.h"
@@ -23,7 +24,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <set>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -43,6 +47,46 @@ namespace
 // Maximum causes in the text; a last line counts the others.
 constexpr std::size_t MostLines = 18;
 
+// The layers of an OpenEXR file, or why it cannot be read.
+struct Layers
+{
+  std::string Failure;
+  vtkSmartPointer<vtkImageData> Image;
+};
+
+template <typename Visit>
+void VisitFields(Layers& layers, Visit&& visit)
+{
+  visit(layers.Failure, layers.Image);
+}
+
+// Runs in the process of the file.
+void ReadLayers(const std::string& path, const vtkRelievoReaderProcess::Say&, Layers& made)
+{
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  vtkRelievoReaderProcess::Allow(error ? 0 : size);
+  vtkNew<vtkRelievoEXRReader> reader;
+  vtkNew<vtkCallbackCommand> keep;
+  keep->SetClientData(&made.Failure);
+  keep->SetCallback([](vtkObject*, unsigned long, void* kept, void* text) {
+    *static_cast<std::string*>(kept) =
+      vtkRelievoMessageText::OfMessage(static_cast<const char*>(text));
+  });
+  reader->AddObserver(vtkCommand::ErrorEvent, keep);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  if (reader->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    made.Failure.clear();
+    made.Image = reader->GetOutput();
+  }
+  else if (made.Failure.empty())
+  {
+    made.Failure = path + ": cannot be read";
+  }
+}
+
 // Reads an image file; on failure returns null, and `failure` names the file and the reason.
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, std::string& failure)
 {
@@ -56,23 +100,15 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, std::string& fa
     failure = image ? std::string() : path + ": expected " + failure;
     return image;
   }
-  vtkNew<vtkRelievoEXRReader> reader;
-  vtkNew<vtkCallbackCommand> keep;
-  keep->SetClientData(&failure);
-  keep->SetCallback([](vtkObject*, unsigned long, void* kept, void* text) {
-    *static_cast<std::string*>(kept) =
-      vtkRelievoMessageText::OfMessage(static_cast<const char*>(text));
-  });
-  reader->AddObserver(vtkCommand::ErrorEvent, keep);
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  if (reader->GetErrorCode() != vtkErrorCode::NoError)
+  Layers made;
+  const std::string end = vtkRelievoReaderProcess::Do<ReadLayers>(
+    path, [](const std::string&, double) { return true; }, made);
+  failure = end.empty() ? made.Failure : path + ": its reader " + end;
+  if (failure.empty() && !made.Image)
   {
-    failure = failure.empty() ? path + ": cannot be read" : failure;
-    return nullptr;
+    failure = path + ": its reader crashed: its result is damaged";
   }
-  failure.clear();
-  return reader->GetOutput();
+  return failure.empty() ? made.Image : nullptr;
 }
 
 // The causes that cannot be detected, because a frame lacks data.

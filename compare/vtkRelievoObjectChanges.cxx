@@ -51,18 +51,6 @@ double Dot(const Vector& a, const Vector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Writes "(0.02, 0, 0)"; components within the rounding error of the largest become 0.
-std::string WriteVector(const Vector& v)
-{
-  const double least = 1e-6 * Length(v);
-  std::string words;
-  for (const double each : v)
-  {
-    words += (words.empty() ? "" : ", ") + WriteShort(std::abs(each) < least ? 0.0 : each);
-  }
-  return "(" + words + ")";
-}
-
 std::size_t CountObjects(const Frame& frame)
 {
   const auto most = std::max_element(frame.Actor.begin(), frame.Actor.end());
@@ -104,6 +92,61 @@ double GetSharedBox(const std::array<double, 6>& a, const std::array<double, 6>&
     shared *= both < 0.0 ? 0.0 : most > 0.0 ? both / most : 1.0;
   }
   return shared;
+}
+
+// The blocks of a record by number; damaged entries are left out.
+std::map<int, nlohmann::json> ListBlocks(const nlohmann::json& blocks)
+{
+  std::map<int, nlohmann::json> found;
+  for (std::size_t i = 0; blocks.is_array() && i < blocks.size(); ++i)
+  {
+    const auto number = blocks[i].is_object() ? blocks[i].find("block") : blocks[i].end();
+    if (blocks[i].is_object() && number != blocks[i].end() && number->is_number_integer())
+    {
+      found[number->get<int>()] = blocks[i];
+    }
+  }
+  return found;
+}
+
+struct BlockChanges
+{
+  std::vector<std::string> Visibility; // "block 3 (wing) hidden"
+  bool Color = false, Opacity = false;
+};
+
+// Blocks without an attribute have that of the object.
+BlockChanges CompareBlocks(const nlohmann::json& before, const nlohmann::json& after)
+{
+  BlockChanges changes;
+  if (before.is_null() || after.is_null() || before == after)
+  {
+    return changes;
+  }
+  const std::map<int, nlohmann::json> from = ListBlocks(before), to = ListBlocks(after);
+  std::map<int, nlohmann::json> all = from;
+  all.insert(to.begin(), to.end());
+  for (const auto& [number, block] : all)
+  {
+    const auto get = [number = number](const std::map<int, nlohmann::json>& blocks,
+                       const char* name, const nlohmann::json& otherwise) {
+      const auto found = blocks.find(number);
+      return found == blocks.end() ? otherwise : found->second.value(name, otherwise);
+    };
+    const nlohmann::json shown = get(to, "visible", true);
+    if (get(from, "visible", true) != shown)
+    {
+      const auto name = block.find("name");
+      const bool isNamed = name != block.end() && name->is_string();
+      changes.Visibility.push_back("block " + std::to_string(number) +
+        (isNamed ? " (" + name->get<std::string>() + ")" : "") +
+        (shown == false ? " hidden" : " shown"));
+    }
+    changes.Color = changes.Color || get(from, "color", nullptr) != get(to, "color", nullptr);
+    changes.Opacity =
+      changes.Opacity || get(from, "opacity", nullptr) != get(to, "opacity", nullptr);
+  }
+  return changes;
 }
 
 std::array<double, 16> Translation(const Vector& t)
@@ -362,18 +405,24 @@ void ObjectChanges::AddMove(
 //------------------------------------------------------------------------------
 void ObjectChanges::CompareSettings(int before, int after)
 {
+  constexpr char OfBlocks[] = "opacity of blocks";
   static const std::set<std::string> coverage = { "representation", "opacity", "edges",
-    "line_width", "point_size", "frontface_culling", "backface_culling" };
+    "line_width", "point_size", "frontface_culling", "backface_culling", OfBlocks };
   const Object& from = this->A.Objects[static_cast<std::size_t>(before)];
   const Object& to = this->B.Objects[static_cast<std::size_t>(after)];
   Change* changes[2] = { &this->BeforeChanges[static_cast<std::size_t>(before)],
     &this->AfterChanges[static_cast<std::size_t>(after)] };
-  if (!from.Color.is_null() && !to.Color.is_null() && from.Color != to.Color)
+  const BlockChanges blocks = CompareBlocks(from.Blocks, to.Blocks);
+  if (blocks.Color || (!from.Color.is_null() && !to.Color.is_null() && from.Color != to.Color))
   {
     changes[0]->Color = changes[1]->Color =
       this->List.Find(Cause::Color, "actor", this->GetName(before), before);
   }
-  const std::vector<std::string> names = ListChanges(from.Settings, to.Settings);
+  std::vector<std::string> names = ListChanges(from.Settings, to.Settings);
+  if (blocks.Opacity)
+  {
+    names.emplace_back(OfBlocks);
+  }
   const bool affectsCoverage = std::any_of(
     names.begin(), names.end(), [](const std::string& name) { return coverage.count(name) != 0; });
   if (!names.empty())
@@ -412,6 +461,10 @@ void ObjectChanges::ChangeByRecord()
     {
       this->AddChange(a, b, Cause::Visibility, from.Visible ? "hidden" : "shown");
     }
+    else if (!from.Glyphs.empty() && !to.Glyphs.empty() && from.Glyphs != to.Glyphs)
+    {
+      this->AddChange(a, b, Cause::Shape, "shape: other glyphs");
+    }
     else if (from.Points == to.Points && from.Cells == to.Cells)
     {
       if (from.Matrix != to.Matrix)
@@ -424,6 +477,11 @@ void ObjectChanges::ChangeByRecord()
       else if (!from.Clipping.is_null() && !to.Clipping.is_null() && from.Clipping != to.Clipping)
       {
         this->AddChange(a, b, Cause::Visibility, "visibility: clipping planes");
+      }
+      else if (const BlockChanges blocks = CompareBlocks(from.Blocks, to.Blocks);
+               !blocks.Visibility.empty())
+      {
+        this->AddChange(a, b, Cause::Visibility, "visibility: " + Join(blocks.Visibility));
       }
     }
     else

@@ -21,6 +21,9 @@ constexpr std::size_t MostCells = 100;
 // The angle between normals, in degrees, from which they belong to two faces.
 constexpr double CreaseAngle = 20.0;
 
+// The part of a pixel's size by which rounding may shift the depth of a volume.
+constexpr double OfVolumes = 0.25;
+
 // The setting with the number of samples per pixel.
 const std::string Multisamples = "multisamples";
 
@@ -59,6 +62,7 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
   , Bounds(limits)
   , Objects(objects)
   , List(list)
+  , VolumesChanged(before, after, list)
   , Causes(before.Pixels, Alike)
 {
   const int samples[2] = { GetSamples(before), GetSamples(after) };
@@ -70,7 +74,11 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
   this->CompareSettings();
   this->PairLayers();
   this->ProjectTranslucent();
-  this->CompareVolumes();
+  for (const VolumeChanges::Region& region : this->VolumesChanged.GetRegions())
+  {
+    this->Volumes.push_back(
+      { static_cast<std::size_t>(region.Finding), this->ProjectBox(region.Bounds) });
+  }
   this->BorderStep = this->FindStep("shadows:soft_samples");
   this->AmbientStep = this->FindStep("ambient:samples");
   for (std::size_t i = 0; i < before.Pixels; ++i)
@@ -79,13 +87,14 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
     {
       continue;
     }
-    this->IsDifferent = this->IsLoose = false;
+    this->IsDifferent = false;
+    this->Loose = 0.0;
     this->Ambient = std::nullopt;
     const int cause = this->JudgeLayers(i);
-    // Gloss enlarges differences of normals without bound.
     const int found = this->JudgePicture(i);
-    const bool isWithin = this->IsLoose || (this->Ambient && this->IsOfAmbient(i));
-    const int picture = found == Pending && isWithin ? WithinRounding : found;
+    const bool isWithin = found == Pending &&
+      ((this->Loose > 0.0 && this->IsOfNormal(i)) || (this->Ambient && this->IsOfAmbient(i)));
+    const int picture = isWithin ? WithinRounding : found;
     this->Causes[i] = cause != Alike ? cause
       : picture != Alike             ? picture
       : this->IsDifferent            ? WithinRounding
@@ -141,6 +150,8 @@ void PixelCauses::PairLayers()
       }
     }
   }
+  add(this->A.VolumeDepth, this->B.VolumeDepth, 1);
+  add(this->A.VolumeOpacity, this->B.VolumeOpacity, 1);
   for (const LightPair& pair : this->Lights)
   {
     if (pair.Before >= 0 && pair.After >= 0)
@@ -168,7 +179,7 @@ bool PixelCauses::IsEqualInAll(std::size_t pixel) const
     return a.empty() || b.empty() || a[pixel] == b[pixel];
   };
   if (isJudged || isElsewhere || !isSame(this->A.Cell, this->B.Cell) ||
-    !isSame(this->A.Block, this->B.Block))
+    !isSame(this->A.Block, this->B.Block) || !isSame(this->A.VolumeId, this->B.VolumeId))
   {
     return false;
   }
@@ -195,16 +206,16 @@ std::size_t PixelCauses::Count(int code) const
 
 //------------------------------------------------------------------------------
 template <typename Visit>
-void PixelCauses::ForNeighbours(std::size_t pixel, Visit visit) const
+void PixelCauses::ForNeighbours(std::size_t pixel, Visit visit, int reach) const
 {
   const auto width = static_cast<std::ptrdiff_t>(this->A.Size[0]);
   const auto x = static_cast<std::ptrdiff_t>(pixel) % width;
   const auto y = static_cast<std::ptrdiff_t>(pixel) / width;
-  for (std::ptrdiff_t v = std::max<std::ptrdiff_t>(0, y - 1);
-       v <= std::min<std::ptrdiff_t>(this->A.Size[1] - 1, y + 1); ++v)
+  for (std::ptrdiff_t v = std::max<std::ptrdiff_t>(0, y - reach);
+       v <= std::min<std::ptrdiff_t>(this->A.Size[1] - 1, y + reach); ++v)
   {
-    for (std::ptrdiff_t u = std::max<std::ptrdiff_t>(0, x - 1);
-         u <= std::min<std::ptrdiff_t>(width - 1, x + 1); ++u)
+    for (std::ptrdiff_t u = std::max<std::ptrdiff_t>(0, x - reach);
+         u <= std::min<std::ptrdiff_t>(width - 1, x + reach); ++u)
     {
       visit(static_cast<std::size_t>(v * width + u));
     }
@@ -222,14 +233,15 @@ bool PixelCauses::IsBetween(std::size_t pixel, double limit, Value value) const
 //------------------------------------------------------------------------------
 template <typename Value>
 bool PixelCauses::IsBetween(const Frame& own, const Frame& other, std::size_t pixel, double limit,
-  Value value, double widening) const
+  Value value, double widening, int reach) const
 {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
-  this->ForNeighbours(pixel, [&](std::size_t near) {
+  const auto take = [&](std::size_t near) {
     least = std::min(least, double(value(other, near)));
     most = std::max(most, double(value(other, near)));
-  });
+  };
+  this->ForNeighbours(pixel, take, reach);
   const double here = value(own, pixel);
   const double around = limit + (widening > 0.0 ? widening * (most - least) : 0.0);
   return here >= least - around && here <= most + around;
@@ -512,9 +524,8 @@ int PixelCauses::JudgeGeometry(std::size_t pixel, int a, int b)
 }
 
 //------------------------------------------------------------------------------
-// The tolerance for normals of an object of the frame before. The three components of a texel in a
-// normal map are colours, if both frames have the same map.
-double PixelCauses::GetMostAngle(int a) const
+// Whether an object of the frame before has the same normal map in both frames.
+bool PixelCauses::IsMapped(int a) const
 {
   const int b = this->Objects.GetAfter(a);
   const auto find = [](const Frame& frame, int object) {
@@ -524,11 +535,58 @@ double PixelCauses::GetMostAngle(int a) const
   };
   const Object* from = find(this->A, a);
   const Object* to = find(this->B, b);
-  const bool isMapped = from && to && from->HasNormalMap && to->HasNormalMap &&
+  return from && to && from->HasNormalMap && to->HasNormalMap &&
     (from->NormalMap == to->NormalMap || from->NormalMap.empty() || to->NormalMap.empty());
-  const double ofTexels =
-    vtkMath::DegreesFromRadians(std::sqrt(3.0) * this->Bounds.ColorLevels / 127.5);
-  return isMapped ? std::max(ofTexels, this->Bounds.NormalAngle) : this->Bounds.NormalAngle;
+}
+
+//------------------------------------------------------------------------------
+// Whether the filtering of a normal map explains the angle between the pixel's normals: OpenGL may
+// blend texels by weights of 8 bits and round the three components of the result to 8 bits. The
+// result then lies between the texels around, which the neighbours show, but for the rounding.
+bool PixelCauses::IsTexelRounded(std::size_t pixel, double angle) const
+{
+  const double step = this->Bounds.ColorLevels / 127.5; // components are from -1 to 1
+  if (angle > vtkMath::DegreesFromRadians(std::sqrt(3.0) * step))
+  {
+    return false;
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    if (!this->IsBetween(pixel, step, [c](const Frame& frame, std::size_t at) {
+          return frame.Surface.at("normal").Values[3 * at + c];
+        }))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Whether the angle between the pixel's normals explains its colours: these lie between the colours
+// around it, extended by twice as much as they change towards those for such an angle.
+bool PixelCauses::IsOfNormal(std::size_t pixel) const
+{
+  for (int c = 0; c < this->CountLevels(); ++c)
+  {
+    double most = 0.0;
+    for (const Frame* frame : { &this->A, &this->B })
+    {
+      const float* normals = frame->Surface.at("normal").Values.data();
+      this->ForNeighbours(pixel, [&](std::size_t near) {
+        const double angle = AngleBetween(normals + 3 * pixel, normals + 3 * near);
+        const double change =
+          std::abs(double(frame->Level(near, c)) - double(frame->Level(pixel, c)));
+        most = std::max(most, change * this->Loose / std::max(this->Loose, angle));
+      });
+    }
+    if (!this->IsBetween(pixel, this->Bounds.ColorLevels + 2.0 * most,
+          [c](const Frame& frame, std::size_t at) { return frame.Level(at, c); }))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -575,9 +633,10 @@ int PixelCauses::JudgeSurface(std::size_t pixel, int a, bool sameCell)
   const Change& change = this->Objects.OfBefore(a);
   const bool isElsewhere = ObjectChanges::DiffersInDepth(this->A, this->B, pixel, this->Bounds);
   const double angle = sameCell ? this->GetAngle(pixel) : 0.0;
-  const bool isTurned = angle > this->GetMostAngle(a);
+  const bool isLoose = angle > this->Bounds.NormalAngle;
+  const bool isTurned = isLoose && !(this->IsMapped(a) && this->IsTexelRounded(pixel, angle));
   this->IsDifferent = this->IsDifferent || angle > 0.0;
-  this->IsLoose = this->IsLoose || (angle > this->Bounds.NormalAngle && !isTurned);
+  this->Loose = isLoose && !isTurned ? angle : 0.0;
   const bool isTie = !sameCell && change.IsSame && change.Coverage < 0 && this->IsTie(pixel);
   if ((isElsewhere && !isTie) || (!sameCell && !isTie) || (isTurned && !change.IsSame))
   {
@@ -700,6 +759,11 @@ int PixelCauses::JudgeStages(std::size_t pixel)
   static const std::pair<const char*, Cause> stages[] = { { "light", Cause::Lamps },
     { "fog", Cause::Fog }, { "ambient", Cause::Ambient }, { "marker", Cause::Markers },
     { "blend", Cause::Translucent } };
+  const int volume = this->JudgeVolumes(pixel);
+  if (volume >= 0)
+  {
+    return volume;
+  }
   for (const auto& [name, cause] : stages)
   {
     const Layer* from = Find(this->A.Stages, name);
@@ -849,6 +913,38 @@ bool PixelCauses::IsBetweenNeighbours(std::size_t pixel, double widening) const
 }
 
 //------------------------------------------------------------------------------
+// Whether the smoother frame's colours may be a mixture of surfaces in the other frame, of which a
+// narrow one shows in a pixel beside the neighbours only, with values that are extrapolated by as
+// much as those around differ.
+bool PixelCauses::IsMixture(std::size_t pixel) const
+{
+  const Frame& other = this->Smoother == &this->A ? this->B : this->A;
+  for (int c = 0; c < this->CountLevels(); ++c)
+  {
+    const auto value = [c](const Frame& frame, std::size_t at) { return frame.Level(at, c); };
+    if (!this->IsBetween(*this->Smoother, other, pixel, this->Bounds.ColorLevels, value, 1.0, 2))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Whether the pixel shows a point or a line, which have no normals: OpenGL smooths their shapes in
+// frames of several samples, so that what they hide in the other frame may appear.
+bool PixelCauses::IsThin(std::size_t pixel) const
+{
+  const auto isThin = [pixel](const Frame& frame) {
+    const Layer* normals = Find(frame.Surface, "normal");
+    const float* n =
+      normals && normals->Components == 3 ? normals->Values.data() + 3 * pixel : nullptr;
+    return n && frame.Actor[pixel] >= 0 && n[0] == 0.f && n[1] == 0.f && n[2] == 0.f;
+  };
+  return isThin(this->A) || isThin(this->B);
+}
+
+//------------------------------------------------------------------------------
 // Only frames of several samples extrapolate.
 bool PixelCauses::IsDarkerInSamples(std::size_t pixel) const
 {
@@ -882,38 +978,52 @@ void PixelCauses::ProjectTranslucent()
 }
 
 //------------------------------------------------------------------------------
-// Volumes appear in no layer: compares their records, by number, and projects the boxes of those
-// that differ.
-void PixelCauses::CompareVolumes()
+// Explains other layers of volumes. Their places are where a march along the ray ends, which
+// rounding shifts within what the neighbours show.
+int PixelCauses::JudgeVolumes(std::size_t pixel)
 {
-  if (!this->A.HasVolumes || !this->B.HasVolumes)
+  const auto isBoth = [](const auto& a, const auto& b) { return !a.empty() && !b.empty(); };
+  bool differs = false;
+  if (isBoth(this->A.VolumeOpacity, this->B.VolumeOpacity))
   {
-    return;
+    const float a = this->A.VolumeOpacity[pixel];
+    const float b = this->B.VolumeOpacity[pixel];
+    this->IsDifferent = this->IsDifferent || !IsEqual(a, b);
+    differs = !IsEqual(a, b) && !(std::abs(a - b) <= this->Bounds.ColorLevels / 255.0);
   }
-  const std::size_t counts[2] = { this->A.Volumes.size(), this->B.Volumes.size() };
-  for (std::size_t i = 0; i < std::max(counts[0], counts[1]); ++i)
+  if (isBoth(this->A.VolumeDepth, this->B.VolumeDepth))
   {
-    const Volume from = i < counts[0] ? this->A.Volumes[i] : Volume();
-    const Volume to = i < counts[1] ? this->B.Volumes[i] : Volume();
-    const std::string names = Join(ListChanges(from.Values, to.Values));
-    if (names.empty() && i < counts[0] && i < counts[1])
+    const float a = this->A.VolumeDepth[pixel];
+    const float b = this->B.VolumeDepth[pixel];
+    this->IsDifferent = this->IsDifferent || !IsEqual(a, b);
+    const double footprint = this->A.GetFootprintAt(std::isfinite(a) ? a : b);
+    differs = differs ||
+      (!IsEqual(a, b) &&
+        !this->IsBetween(pixel, OfVolumes * footprint,
+          [](const Frame& frame, std::size_t at) { return frame.VolumeDepth[at]; }));
+  }
+  const int ids[2] = { this->A.VolumeId.empty() ? -1 : this->A.VolumeId[pixel],
+    this->B.VolumeId.empty() ? -1 : this->B.VolumeId[pixel] };
+  if (!differs)
+  {
+    return Alike;
+  }
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    const int finding = this->VolumesChanged.GetFinding(side, ids[side]);
+    if (finding >= 0)
     {
-      continue;
-    }
-    const int place = this->List.Find(Cause::Translucent, "volume", "", static_cast<int>(i));
-    this->List.At(place).Words = "translucent: " +
-      (i >= counts[0]      ? "added"
-          : i >= counts[1] ? "removed"
-                           : names);
-    for (const Volume* volume : { &from, &to })
-    {
-      if (volume->Bounds[0] <= volume->Bounds[1])
-      {
-        this->Volumes.push_back(
-          { static_cast<std::size_t>(place), this->ProjectBox(volume->Bounds) });
-      }
+      return finding;
     }
   }
+  for (const Cover& cover : this->Volumes)
+  {
+    if (this->Covers(cover, pixel))
+    {
+      return static_cast<int>(cover.Object);
+    }
+  }
+  return this->List.Find(Cause::Translucent, "volume", "", std::max(ids[0], ids[1]));
 }
 
 //------------------------------------------------------------------------------
@@ -982,20 +1092,23 @@ int PixelCauses::Explain(std::size_t pixel, const std::vector<int>& causes)
   }
   if (hasLayers && this->Smoother)
   {
-    // With other numbers of samples, pixels near edges show surfaces that no pixel's centre shows,
-    // and pixels at borders of cells show cells whose values were extrapolated to the pixel's
-    // centre, from at most a pixel away: by as much as the neighbours' values differ. A place that
-    // is extrapolated into the surface is dark, in a single pixel.
+    // With other numbers of samples, pixels near edges mix surfaces, and pixels at borders of cells
+    // show cells whose values were extrapolated to the pixel's centre, from at most a pixel away:
+    // by as much as the neighbours' values differ. A place that is extrapolated into the surface
+    // is dark, in a single pixel.
     bool isBorder = false;
+    bool isThin = false;
     int different = 0;
     this->ForNeighbours(pixel, [&](std::size_t near) {
+      isThin = isThin || this->IsThin(near);
       isEdge = isEdge || this->IsEdge(near);
       isBorder = isBorder || (!this->A.Cell.empty() && this->A.Cell[near] != this->A.Cell[pixel]);
       different += causes[near] == Pending ? 1 : 0;
     });
     const bool isOneShadow = different == 1 && !this->A.Shadow.empty() && !this->B.Shadow.empty() &&
       this->IsDarkerInSamples(pixel);
-    if (isEdge || (isBorder && (isOneShadow || this->IsBetweenNeighbours(pixel, 1.0))))
+    if ((isEdge && (isThin || this->IsMixture(pixel))) ||
+      (isBorder && (isOneShadow || this->IsBetweenNeighbours(pixel, 1.0))))
     {
       return WithinEdge;
     }

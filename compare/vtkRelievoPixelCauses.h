@@ -9,6 +9,7 @@
 #include "vtkRelievoComparedFrame.h"
 #include "vtkRelievoComparisonLimits.h"
 #include "vtkRelievoObjectChanges.h"
+#include "vtkRelievoVolumeChanges.h"
 
 #include <array>
 #include <map>
@@ -72,6 +73,7 @@ private:
   int JudgeSurface(std::size_t pixel, int a, bool sameCell);
   int JudgeLights(std::size_t pixel);
   int JudgeStages(std::size_t pixel);
+  int JudgeVolumes(std::size_t pixel);
   int JudgePicture(std::size_t pixel) const;
   int JudgeWithinLimits(std::size_t pixel);
   int CountLevels() const; // components of a pixel, with alpha if both have it; 0: no picture
@@ -79,22 +81,26 @@ private:
   int GetNeighbourCause(std::size_t pixel, const std::vector<int>& causes) const;
   bool IsEdge(std::size_t pixel) const;
   bool IsBetweenNeighbours(std::size_t pixel, double widening) const;
+  bool IsMixture(std::size_t pixel) const;
+  bool IsThin(std::size_t pixel) const;
   bool IsDarkerInSamples(std::size_t pixel) const; // in one frame no component is brighter
   bool IsOfAmbient(std::size_t pixel) const;
+  bool IsOfNormal(std::size_t pixel) const;
   bool IsTie(std::size_t pixel) const;
   std::optional<double> FindStep(const std::string& samples) const;
   bool DiffersInLayer(const Layer& a, const Layer& b, std::size_t pixel, double limit) const;
   double GetAngle(std::size_t pixel) const;
-  double GetMostAngle(int a) const;
-  void CompareVolumes();
+  bool IsMapped(int a) const;
+  bool IsTexelRounded(std::size_t pixel, double angle) const;
   void ProjectTranslucent();
   std::array<double, 4> ProjectBox(const std::array<double, 6>& bounds) const;
   bool Covers(const Cover& cover, std::size_t pixel) const;
   int FindLight(const LightPair& pair, Cause cause);
   int NameActor(Cause cause, int object);
 
+  // Visits the pixels up to `reach` columns and rows away, and the pixel itself.
   template <typename Visit>
-  void ForNeighbours(std::size_t pixel, Visit visit) const;
+  void ForNeighbours(std::size_t pixel, Visit visit, int reach = 1) const;
 
   // Whether each frame's value(frame, pixel) lies between the other frame's values around the
   // pixel.
@@ -103,13 +109,14 @@ private:
   // One direction of it; `widening` extends the range by a part of its width at both ends.
   template <typename Value>
   bool IsBetween(const Frame& own, const Frame& other, std::size_t pixel, double limit, Value value,
-    double widening = 0.0) const;
+    double widening = 0.0, int reach = 1) const;
 
   const Frame& A;
   const Frame& B;
   Limits Bounds;
   const ObjectChanges& Objects;
   CauseList& List;
+  VolumeChanges VolumesChanged;
   const Frame* Smoother = nullptr; // the frame with more samples per pixel
   std::vector<LightPair> Lights;
   std::vector<Values> Layers;
@@ -121,7 +128,7 @@ private:
   // Tolerances at shadow borders, and of ambient occlusion; none: the scene has changed.
   std::optional<double> BorderStep, AmbientStep;
   bool IsDifferent = false; // some layer of the pixel differs within its limits
-  bool IsLoose = false;     // its normal, by more than rounding changes the picture
+  double Loose = 0.0; // the angle of its normal, within the limit of texels but not of formats
   // The ambient occlusion of the pixel in both frames, if it differs by a sample.
   std::optional<std::array<double, 2>> Ambient;
   std::vector<int> Causes;

@@ -13,11 +13,18 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkCornerAnnotation.h"
 #include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkMapper.h"
 #include "vtkMatrix3x3.h"
@@ -32,6 +39,7 @@
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
 #include "vtkRelievoColorBar.h"
+#include "vtkRelievoCompositeMapper.h"
 #include "vtkRelievoFrameComparison.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
@@ -40,6 +48,7 @@
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkScalarsToColors.h"
+#include "vtkSmartVolumeMapper.h"
 #include "vtkStringArray.h"
 #include "vtkTextActor.h"
 #include "vtkTextMapper.h"
@@ -48,6 +57,7 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
+#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <nlohmann/json.hpp>
@@ -278,6 +288,32 @@ void AddNodes(CheckSum& sum, Function* function)
   }
 }
 
+// Adds a grey transfer function like the same one in colours, into which VTK turns the default when
+// it draws a volume.
+void AddGrayNodes(CheckSum& sum, vtkPiecewiseFunction* function)
+{
+  for (int i = 0; function && i < function->GetSize(); ++i)
+  {
+    double at[4];
+    function->GetNodeValue(i, at);
+    const double node[6] = { at[0], at[1], at[1], at[1], at[2], at[3] };
+    sum.Add(node, sizeof(node));
+  }
+}
+
+// Whether a function is 1 everywhere. VTK adds such a gradient opacity when it draws a volume.
+bool IsOne(vtkPiecewiseFunction* function)
+{
+  bool isOne = true;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[4];
+    function->GetNodeValue(i, node);
+    isOne = isOne && node[1] == 1.0;
+  }
+  return isOne;
+}
+
 // Describes the colours of a map: 256 of them, across its range.
 std::string DescribeColors(vtkScalarsToColors* map)
 {
@@ -295,6 +331,95 @@ vtkAbstractArray* FindScalars(vtkMapper* mapper, vtkDataSet* data, int& isCell)
 {
   return vtkMapper::GetAbstractScalars(data, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
     mapper->GetArrayId(), mapper->GetArrayName(), isCell);
+}
+
+// Describes the blocks of composite data with attributes of their own. `index` is the flat index of
+// the data, and afterwards of its last block.
+void AddBlocks(Json& blocks, vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes,
+  const std::string& name, int& index)
+{
+  Json block = { { "block", index } };
+  if (!name.empty())
+  {
+    block["name"] = name;
+  }
+  if (attributes->HasBlockVisibility(data))
+  {
+    block["visible"] = attributes->GetBlockVisibility(data);
+  }
+  if (attributes->HasBlockOpacity(data))
+  {
+    block["opacity"] = attributes->GetBlockOpacity(data);
+  }
+  if (attributes->HasBlockColor(data))
+  {
+    double color[3];
+    attributes->GetBlockColor(data, color);
+    block["color"] = DescribeVector(color);
+  }
+  if (block.size() > (name.empty() ? 1 : 2))
+  {
+    blocks.push_back(block);
+  }
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  if (!tree)
+  {
+    return;
+  }
+  const auto each = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  each->VisitOnlyLeavesOff();
+  each->TraverseSubTreeOff();
+  each->SkipEmptyNodesOff();
+  for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+  {
+    ++index;
+    if (vtkDataObject* part = each->GetCurrentDataObject())
+    {
+      vtkInformation* about = each->HasCurrentMetaData() ? each->GetCurrentMetaData() : nullptr;
+      const char* named = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
+      AddBlocks(blocks, part, attributes, named ? named : "", index);
+    }
+  }
+}
+
+Json DescribeBlocks(vtkMapper* mapper)
+{
+  auto* composite = vtkRelievoCompositeMapper::SafeDownCast(mapper);
+  auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
+  vtkCompositeDataDisplayAttributes* attributes = composite
+    ? composite->GetCompositeDataDisplayAttributes()
+    : glyphs ? glyphs->GetBlockAttributes()
+             : nullptr;
+  Json blocks = Json::array();
+  if (attributes && mapper->GetNumberOfInputConnections(0) > 0)
+  {
+    int index = 0;
+    AddBlocks(blocks, mapper->GetInputDataObject(0, 0), attributes, "", index);
+  }
+  return blocks;
+}
+
+// The check sum of the shapes of glyphs, and of how they are placed at the points.
+std::string DescribeGlyphs(vtkGlyph3DMapper* mapper)
+{
+  MeshRecord sources;
+  const int ports =
+    mapper->GetNumberOfInputPorts() > 1 ? mapper->GetNumberOfInputConnections(1) : 0;
+  for (int i = 0; i < ports; ++i)
+  {
+    if (vtkDataObject* source = mapper->GetInputDataObject(1, i))
+    {
+      ForEachDataSet(source, [&](vtkDataSet* data) { sources.Add(data); });
+    }
+  }
+  CheckSum placing;
+  const double values[] = { double(mapper->GetScaling()), mapper->GetScaleFactor(),
+    double(mapper->GetScaleMode()), mapper->GetRange()[0], mapper->GetRange()[1],
+    double(mapper->GetClamping()), double(mapper->GetOrient()),
+    double(mapper->GetOrientationMode()), double(mapper->GetMasking()),
+    double(mapper->GetSourceIndexing()) };
+  placing.Add(values, sizeof(values));
+  return sources.PointSum.Get() + " " + sources.CellSum.Get() + " " + placing.Get();
 }
 
 Json DescribeActor(vtkActor* actor, const std::string& name)
@@ -335,9 +460,14 @@ Json DescribeActor(vtkActor* actor, const std::string& name)
     { "cells", std::to_string(mesh.Cells) + " " + mesh.CellSum.Get() },
     { "center", { center[0], center[1], center[2] } }, { "spread", mesh.GetSpread() },
     { "bounds", bounds }, { "clipping", DescribePlanes(mapper) },
+    { "blocks", DescribeBlocks(mapper) },
     { "normal_map", property->GetTexture("normalTex") != nullptr },
     { "normal_map_sum", DescribeMap(property->GetTexture("normalTex")) },
     { "settings", DescribeProperty(property) } };
+  if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
+  {
+    json["glyphs"] = DescribeGlyphs(glyphs);
+  }
   if (!isColored)
   {
     json["color"] = DescribeVector(property->GetDiffuseColor());
@@ -364,10 +494,11 @@ void AddPlace(CheckSum& sum, vtkDataSet* data)
   }
 }
 
-// Describes a volume by its place and by check sums of its data and transfer functions.
+// Describes a volume by its place and by check sums of its data, transfer functions and shading.
 Json DescribeVolume(vtkVolume* volume)
 {
-  CheckSum data;
+  CheckSum points, data;
+  std::string array;
   int components = 1;
   auto* mapper = vtkAbstractVolumeMapper::SafeDownCast(volume->GetMapper());
   if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
@@ -375,10 +506,11 @@ Json DescribeVolume(vtkVolume* volume)
     mapper->Update();
     ForEachDataSet(mapper->GetInputDataObject(0, 0), [&](vtkDataSet* part) {
       int isCell = 0;
-      AddPlace(data, part);
+      AddPlace(points, part);
       vtkDataArray* values = vtkAbstractVolumeMapper::GetScalars(part, mapper->GetScalarMode(),
         mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isCell);
       components = std::max(components, values ? values->GetNumberOfComponents() : 1);
+      array = values && values->GetName() ? values->GetName() : "";
       for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
       {
         for (int c = 0; c < values->GetNumberOfComponents(); ++c)
@@ -389,20 +521,23 @@ Json DescribeVolume(vtkVolume* volume)
       }
     });
   }
-  CheckSum functions, gradients;
+  CheckSum colors, opacities, gradients, shading;
   vtkVolumeProperty* property = volume->GetProperty();
-  const double range[] = { double(property->GetInterpolationType()), double(property->GetShade()),
+  const double distance = property->GetScalarOpacityUnitDistance();
+  opacities.Add(&distance, sizeof(distance));
+  const double values[] = { double(property->GetInterpolationType()), double(property->GetShade()),
     property->GetAmbient(), property->GetDiffuse(), property->GetSpecular(),
-    property->GetSpecularPower(), property->GetScalarOpacityUnitDistance() };
-  functions.Add(range, sizeof(range));
+    property->GetSpecularPower() };
+  shading.Add(values, sizeof(values));
   const int functionsOf = property->GetIndependentComponents() ? components : 1;
   for (int c = 0; c < std::min(functionsOf, VTK_MAX_VRCOMP); ++c)
   {
-    AddNodes(functions, property->GetScalarOpacity(c));
+    AddNodes(opacities, property->GetScalarOpacity(c));
     // Requesting the other kind would change the volume.
-    property->GetColorChannels(c) == 1 ? AddNodes(functions, property->GetGrayTransferFunction(c))
-                                       : AddNodes(functions, property->GetRGBTransferFunction(c));
-    if (property->HasGradientOpacity(c) && !property->GetDisableGradientOpacity(c))
+    property->GetColorChannels(c) == 1 ? AddGrayNodes(colors, property->GetGrayTransferFunction(c))
+                                       : AddNodes(colors, property->GetRGBTransferFunction(c));
+    if (property->HasGradientOpacity(c) && !property->GetDisableGradientOpacity(c) &&
+      !IsOne(property->GetGradientOpacity(c)))
     {
       gradients.Add(&c, sizeof(c));
       AddNodes(gradients, property->GetGradientOpacity(c));
@@ -416,8 +551,10 @@ Json DescribeVolume(vtkVolume* volume)
     rows.push_back(matrix->GetElement(i / 4, i % 4));
   }
   Json json = { { "visible", volume->GetVisibility() != 0 }, { "matrix", rows },
-    { "data", data.Get() }, { "functions", functions.Get() },
-    { "gradient_opacity", gradients.Get() }, { "clipping", DescribePlanes(mapper) } };
+    { "points", points.Get() }, { "array", array }, { "data", data.Get() },
+    { "colors", colors.Get() }, { "opacity", opacities.Get() },
+    { "gradient_opacity", gradients.Get() }, { "shading", shading.Get() },
+    { "clipping", DescribePlanes(mapper) } };
   if (const double* bounds = volume->GetBounds())
   {
     json["bounds"] = std::vector<double>(bounds, bounds + 6);
@@ -553,6 +690,30 @@ std::vector<std::string> DescribeSettings(vtkRenderer* renderer)
   }
   return settings;
 }
+}
+
+//------------------------------------------------------------------------------
+bool HasVolumeLayers(vtkRenderer* renderer)
+{
+  vtkVolumeCollection* all = renderer->GetVolumes();
+  bool isAll = all->GetNumberOfItems() > 0;
+  vtkCollectionSimpleIterator at;
+  all->InitTraversal(at);
+  while (vtkVolume* volume = vtkVolume::SafeDownCast(all->GetNextItemAsObject(at)))
+  {
+    auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+    auto* smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+    const bool isOnGPU = smart
+      ? smart->GetRequestedRenderMode() == vtkSmartVolumeMapper::DefaultRenderMode ||
+        smart->GetRequestedRenderMode() == vtkSmartVolumeMapper::GPURenderMode
+      : vtkGPUVolumeRayCastMapper::SafeDownCast(mapper) != nullptr;
+    const int mode = mapper ? mapper->GetBlendMode() : -1;
+    isAll = isAll && isOnGPU && !volume->IsA("vtkMultiVolume") &&
+      (mode == vtkVolumeMapper::COMPOSITE_BLEND ||
+        mode == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND ||
+        mode == vtkVolumeMapper::MINIMUM_INTENSITY_BLEND);
+  }
+  return isAll;
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,9 @@ namespace scene
 /// of actors, by their indices in vtkRenderer::GetActors().
 void AddRecord(vtkImageData* image, vtkRenderer* renderer, const std::map<int, std::string>& names);
 
+/// Whether there are volumes, and the stage `volumes` can make their layers.
+bool HasVolumeLayers(vtkRenderer* renderer);
+
 /// The arrays that colour actors through a colour map; bytes are colours themselves.
 std::set<std::string> FindColoringArrays(vtkRenderer* renderer);
 }

@@ -58,7 +58,9 @@ std::string Escape(const std::string& text)
 // Layers of stages that identify causes.
 const std::set<std::string> StageLayers = { "light", "fog", "ambient", "marker", "blend" };
 
-// Those of the stages that ran.
+const std::vector<std::string> VolumeLayers = { "volume", "volume_depth", "volume_opacity" };
+
+// The layers of the stages that ran.
 std::vector<std::string> FindStageLayers(vtkRelievoPass* pass)
 {
   std::vector<std::string> layers;
@@ -151,12 +153,31 @@ bool vtkRelievoBaseline::Capture(vtkImageData* image)
     earlier = pass->GetOptionalLayers();
     pass->SetOptionalLayers({ StageLayers.begin(), StageLayers.end() });
   }
+  std::vector<std::string> ofVolumes; // requested here
+  const bool hasVolumes = pass && scene::HasVolumeLayers(this->Renderer);
+  for (const std::string& layer : VolumeLayers)
+  {
+    if (hasVolumes && !pass->IsLayerRequested(layer))
+    {
+      pass->RequestLayer(layer);
+      ofVolumes.push_back(layer);
+    }
+  }
   source->Update();
   bool isDrawn = source->GetOutput()->GetNumberOfPoints() > 0;
   if (pass)
   {
     isDrawn = isDrawn && pass->ReadLayers(FindStageLayers(pass), source->GetOutput());
     pass->SetOptionalLayers(earlier);
+  }
+  if (isDrawn && hasVolumes)
+  {
+    // Failures, as for data drawn in bricks, are passed over: the record has the volumes' boxes.
+    pass->TryReadLayers(VolumeLayers, source->GetOutput());
+  }
+  for (const std::string& layer : ofVolumes)
+  {
+    pass->ReleaseLayer(layer);
   }
   if (!isDrawn)
   {

@@ -90,13 +90,8 @@ std::string vtkRelievoLampLight::Prepare(
 //------------------------------------------------------------------------------
 std::string vtkRelievoLampLight::Draw(vtkRelievoFrameContext& context, bool glossy)
 {
-  this->DrawCalls = 0;
-  std::string wrong = this->Upload(context);
-  if (wrong.empty())
-  {
-    wrong = this->DrawInto(context, this->Sum, this->Lights,
-      this->Sum.GetFormat().Halves ? "#define RELIEVO_HALVES\n" : "");
-  }
+  std::string wrong = this->DrawInto(context, this->Sum, this->Lights,
+    this->Sum.GetFormat().Halves ? "#define RELIEVO_HALVES\n" : "");
   const bool quads = this->HasQuads();
   if (!glossy)
   {
@@ -145,7 +140,6 @@ double vtkRelievoLampLight::FindReached(float all[4]) const
 //------------------------------------------------------------------------------
 std::string vtkRelievoLampLight::Add(vtkRelievoFrameContext& context, bool glossy)
 {
-  this->DrawCalls = 0;
   float all[4];
   if (!(this->FindReached(all) > 0.0))
   {
@@ -167,35 +161,31 @@ std::string vtkRelievoLampLight::Add(vtkRelievoFrameContext& context, bool gloss
   {
     return {};
   }
-  std::string wrong = this->Upload(context);
   std::string defines = "#define RELIEVO_LAMPS_ON_COLOR\n";
   defines += glossy ? "#define RELIEVO_GLOSS\n" : "";
   const bool finishes = context.FinishesColor();
   defines += finishes ? "#define RELIEVO_TO_DISPLAY\n" : "";
-  if (wrong.empty())
+  std::vector<vtkRelievoResourceName> reads{ vtkRelievoResources::Depth,
+    vtkRelievoResources::Normal, vtkRelievoResources::Surface, vtkRelievoResources::Color };
+  if (finishes)
   {
-    std::vector<vtkRelievoResourceName> reads{ vtkRelievoResources::Depth,
-      vtkRelievoResources::Normal, vtkRelievoResources::Surface, vtkRelievoResources::Color };
-    if (finishes)
-    {
-      reads.push_back(vtkRelievoResources::Drawn);
-    }
-    if (vtkShaderProgram* program = this->ReadyPixels(context, this->Adder, reads, defines))
-    {
-      this->Bind(program, false);
-      const bool drawn = finishes ? context.PresentPart(this->Adder, part, true)
-                                  : context.DrawColor(this->Adder, true, part);
-      this->DrawCalls += drawn ? 1 : 0;
-      this->Unbind();
-    }
-    wrong = this->Adder.GetWrong();
+    reads.push_back(vtkRelievoResources::Drawn);
   }
-  return wrong;
+  if (vtkShaderProgram* program = this->ReadyPixels(context, this->Adder, reads, defines))
+  {
+    this->Bind(program, false);
+    const bool drawn = finishes ? context.PresentPart(this->Adder, part, true)
+                                : context.DrawColor(this->Adder, true, part);
+    this->DrawCalls += drawn ? 1 : 0;
+    this->Unbind();
+  }
+  return this->Adder.GetWrong();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoLampLight::Upload(vtkRelievoFrameContext& context)
 {
+  this->DrawCalls = 0;
   std::string wrong = this->Lamps.Upload(context.Window, this->List.GetTexels(), 4);
   if (wrong.empty() && !this->Casting.GetLamps().empty())
   {

@@ -35,12 +35,16 @@ public:
     vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets, int casting);
   std::string Prepare(vtkRelievoFrameContext& context, int way, const Buffers& buffers);
 
-  // Sums the light, the gloss of glossy surfaces, and the counts. Returns an error message, or an
-  // empty string.
+  // Gives the lamps to OpenGL, before the following. Returns an error message, or an empty string,
+  // and so do these.
+  std::string Upload(vtkRelievoFrameContext& context);
+
+  // Sums the light, the gloss of glossy surfaces, and the counts; only if Prepare() was called with
+  // sums.
   std::string Draw(vtkRelievoFrameContext& context, bool glossy);
 
-  // Adds the light to the linear colour in one step; only if lamps are not drawn as quads and
-  // Prepare() was called without sums.
+  // Adds the light to the linear colour in one step, without sums; only if lamps are not drawn as
+  // quads.
   std::string Add(vtkRelievoFrameContext& context, bool glossy);
 
   // Receives the rectangle in NDC around all lamps without shadows. Returns how often their own
@@ -62,7 +66,6 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  std::string Upload(vtkRelievoFrameContext& context);
   void Bind(vtkShaderProgram* program, bool casting);
   void Unbind();
   std::string DrawInto(vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target,

@@ -32,8 +32,7 @@ const vtkRelievoResourceName Gloss = vtkRelievoResourceName::Of("lamp gloss");
 const std::vector<std::string> WayNames{ "auto", "quads", "clusters", "all" };
 
 // Up to MostAll lamps are computed in every pixel of their common rectangle, if they cover it at
-// least LeastCovered times and no layer of sums is requested. Up to MostQuads, rectangles are
-// drawn: the lists of clusters cost more.
+// least LeastCovered times. Up to MostQuads, rectangles are drawn: the lists of clusters cost more.
 constexpr int MostAll = 4;
 constexpr double LeastCovered = 0.5;
 constexpr int MostQuads = 8;
@@ -75,6 +74,7 @@ public:
   bool Any = false;      // there may be lamps in this frame; equal on all processes
   bool SomeCast = false; // some lamps always cast
   bool Adds = false;     // to the linear colour, without sums
+  bool Sums = false;     // into buffers: for layers, or where it cannot add
 };
 
 //------------------------------------------------------------------------------
@@ -195,18 +195,21 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
   }
   const bool counts =
     context.IsLayerAsked(this, Evaluations) || context.IsLayerAsked(this, Reaching);
-  in.Adds = !counts && !context.IsLayerAsked(this, Light) && this->NumberCasting == 0;
+  // The picture does not depend on the requested layers: these get sums of their own.
+  const bool casts = this->NumberCasting > 0;
   float reached[4];
-  const bool all = in.Adds && others <= MostAll && in.Light.FindReached(reached) >= LeastCovered;
+  const bool all = !casts && others <= MostAll && in.Light.FindReached(reached) >= LeastCovered;
   const int automatic = all ? ALL : others <= MostQuads ? QUADS : CLUSTERS;
   this->WayTaken = this->Way == AUTOMATIC ? automatic : this->Way;
-  in.Adds = in.Adds && this->WayTaken != QUADS;
+  in.Adds = !casts && this->WayTaken != QUADS;
+  const bool colors = context.IsAsked(this, vtkRelievoResources::Color);
+  in.Sums = counts || context.IsLayerAsked(this, Light) || (colors && !in.Adds);
   vtkRelievoLampLight::Buffers buffers;
-  buffers.Floats = this->Floats;
-  buffers.Sums = !in.Adds;
+  buffers.Floats = this->Floats || this->WayTaken == ALL;
+  buffers.Sums = in.Sums;
   buffers.Counts = counts;
   std::string wrong = in.Light.Prepare(context, this->WayTaken, buffers);
-  if (!context.IsAsked(this, vtkRelievoResources::Color))
+  if (!colors)
   {
     in.Translucent->ReleaseGraphicsResources(context.Window);
   }
@@ -229,17 +232,17 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
   const vtkRelievoResource* surface = colors ? context.Find(vtkRelievoResources::Surface) : nullptr;
   const bool glossy =
     surface && surface->GetDefines().find("RELIEVO_GLOSSY_SURFACES") != std::string::npos;
-  std::string wrong;
-  if (!in.Adds)
+  std::string wrong = in.Light.Upload(context);
+  if (in.Sums && wrong.empty())
   {
-    wrong = in.Light.Draw(context, glossy);
+    wrong = in.Light.Draw(context, glossy && !in.Adds);
   }
-  else if (colors)
+  if (in.Adds && colors && wrong.empty())
   {
     wrong = in.Light.Add(context, glossy);
   }
   this->DrawCalls = in.Light.GetDrawCalls();
-  if (wrong.empty() && !in.Adds)
+  if (wrong.empty() && in.Sums)
   {
     context.ProvideLayer(Light, &in.Light.GetSum());
     for (const char* name : { Evaluations, Reaching })

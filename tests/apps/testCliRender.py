@@ -708,6 +708,24 @@ class Bench(CliTest):
         names = {path.name for path in (self.folder / "new").iterdir()}
         self.assertEqual(names, {"depth.csv", "renderer.txt"})
 
+    def test_list(self):
+        """Each bench with a line about it, scripts with their file; no display is needed."""
+        lines = self.relievo("bench", "--list").stdout.splitlines()
+        found = dict(line.split(maxsplit=1) for line in lines)
+        self.assertIn("error of the depth formats", found["depth"])
+        self.assertIn("(bench/compare.py)", found["compare"])
+        self.assertGreater(min(len(line) for line in found.values()), 20)
+
+    def test_scripts(self):
+        """Options after -- are for a script alone; failures name it."""
+        self.refused("bench", "depth", "--", "--seed", "7", status=2, says="expected them for one")
+        for words, says in (
+            (("compare", "--", "--no-such"), "bench: compare.py: it ended with status 2"),
+            (("studio",), "bench: studio_samples.py: set RELIEVO_DATA"),
+        ):
+            done = self.relievo("bench", *words, status=1, environment={"RELIEVO_DATA": ""})
+            self.assertIn(says, done.stderr)
+
     def test_several(self):
         """One fails for want of meshes, the other is done, and is not run again; the summary tells
         both, and puts times beside those of a folder."""

@@ -61,7 +61,7 @@ printf '%s\\n' "${{COMPREPLY[@]}}"
 class Completion(unittest.TestCase):
     def test_the_parts_of_the_help_are_found(self):
         self.assertGreater(len(options_of("render")), 30)
-        self.assertEqual(set(options_of("bench")), {"--beside", "--out", "--quick"})
+        self.assertEqual(set(options_of("bench")), {"--beside", "--list", "--out", "--quick"})
 
     def test_options_are_those_of_the_help(self):
         for verb in VERBS:

@@ -156,9 +156,11 @@ class Scale(unittest.TestCase):
 @unittest.skipUnless(importlib.util.find_spec("relievo"), "no package relievo")
 class Compare(unittest.TestCase):
     def run_with(self, *words):
+        """Runs the bench with these options, by the command."""
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([sys.executable, BENCH / "compare.py", "--out", folder, *words],
-                           stdout=subprocess.DEVNULL, check=True)  # fmt: skip
+            subprocess.run(
+                [os.environ["RELIEVO"], "bench", "compare", "--out", folder, "--", *words],
+                stdout=subprocess.DEVNULL, check=True)  # fmt: skip
             found = []
             for name in ("compare", "compare-faults"):
                 table = pathlib.Path(folder, f"{name}.csv").read_text(encoding="utf-8")
@@ -187,6 +189,18 @@ class Compare(unittest.TestCase):
         self.assertEqual(methods[0]["attributed %"], "100.00")
         self.assertEqual(methods[0]["innocent"], "6")
         self.assertGreaterEqual(sum(int(row["pairs"]) for row in kinds), 14)
+
+    def test_elsewhere(self):
+        """Frames drawn before, as on another machine, are compared as a change without a fault."""
+        with tempfile.TemporaryDirectory() as folder:
+            few = ("--scenes", "meshes", "--size", "80x60")
+            subprocess.run([sys.executable, BENCH / "compare.py", *few, "--write-frames", folder],
+                           check=True)  # fmt: skip
+            self.assertEqual(os.listdir(folder), ["meshes.exr"])
+            methods, kinds = self.run_with(*few, "--elsewhere", folder, "--peers", "")
+        self.assertEqual([(row["kind"], row["pairs"], row["detected"]) for row in kinds],
+                         [("another renderer", "1", "0")])  # fmt: skip
+        self.assertEqual([row["false alarms"] for row in methods], ["0"] * 3)
 
     def test_counts(self):
         """Of known scores: 8 faults, of which 6 are visible, and 5 changes without a fault."""

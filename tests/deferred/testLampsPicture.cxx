@@ -14,7 +14,9 @@
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkRelievoSoftwareOpenGL.h>
 
@@ -167,6 +169,40 @@ void TestHighlights()
     });
 }
 
+// The picture is the same bit for bit with and without layers of the lamps, in every way.
+void TestRequestedLayers()
+{
+  for (const int count : { 1, 3, 6, 40 })
+  {
+    LampScene scene(60, 45);
+    const auto lamps = scene.AddLamps(RandomLamps(count, count < 4 ? 6.0 : 2.0, false));
+    for (const int way : { vtkRelievoLampsStage::AUTOMATIC, vtkRelievoLampsStage::QUADS,
+           vtkRelievoLampsStage::CLUSTERS, vtkRelievoLampsStage::ALL })
+    {
+      scene.Stage->SetWay(way);
+      const auto picture = scene.Read({ "color" });
+      const int taken = scene.Stage->GetWayTaken();
+      for (const char* layer : { "light", "lamps_reaching" })
+      {
+        const auto with = scene.Read({ "color", layer });
+        vtkDataArray* colors[2] = { picture->GetPointData()->GetArray("color"),
+          with->GetPointData()->GetArray("color") };
+        vtkIdType different = 0;
+        for (vtkIdType i = 0; i < colors[0]->GetNumberOfTuples(); ++i)
+        {
+          for (int c = 0; c < 3; ++c)
+          {
+            different += colors[0]->GetComponent(i, c) != colors[1]->GetComponent(i, c) ? 1 : 0;
+          }
+        }
+        RELIEVO_CHECK_THAT(different == 0 && scene.Stage->GetWayTaken() == taken,
+          std::to_string(count) + " lamps, way " + std::to_string(way) + ", " + layer + ": " +
+            std::to_string(different) + " components differ");
+      }
+    }
+  }
+}
+
 // Words alone are wanted of the frame where it has no light to add.
 void TestCost()
 {
@@ -200,6 +236,7 @@ RELIEVO_TEST_CASE(testLampsPicture)
   relievoTest::Session session;
   TestMaterials();
   TestHighlights();
+  TestRequestedLayers();
   TestCost();
   return session.Result();
 }

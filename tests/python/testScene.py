@@ -26,14 +26,18 @@ from vtkmodules.vtkCommonCore import (
     vtkStringArray,
     vtkStringOutputWindow,
     vtkUnsignedCharArray,
+    vtkVersion,
 )
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
+    vtkCompositeDataSet,
     vtkImageData,
+    vtkMultiBlockDataSet,
     vtkPiecewiseFunction,
     vtkPolyData,
 )
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
@@ -41,6 +45,8 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkCamera,
+    vtkCompositeDataDisplayAttributes,
+    vtkGlyph3DMapper,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
@@ -48,6 +54,12 @@ from vtkmodules.vtkRenderingCore import (
     vtkVolume,
 )
 from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
+from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
+
+if vtkVersion().GetVTKMinorVersion() < 3:
+    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as CompositeMapper
+else:
+    from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper as CompositeMapper
 
 # A roof over a floor, in two heights, with values at the points.
 MESH = """# vtk DataFile Version 3.0
@@ -759,8 +771,7 @@ class Compared(unittest.TestCase):
                   for light in (pictures[1][..., :3], pictures[0][..., :3] * share[..., None])]
         self.assertLess(numpy.abs(levels[1] - levels[0]).max(), 2)  # the picture has 8 bits
 
-    def test_volume(self):
-        """Gradient opacities are recorded, and grey volumes remain grey."""
+    def volume(self):
         renderer = self.renderer()
         image = vtkImageData()
         image.SetDimensions(9, 9, 9)
@@ -768,9 +779,15 @@ class Compared(unittest.TestCase):
         image.SetSpacing(0.2, 0.2, 0.2)
         values = numpy_to_vtk(numpy.arange(729, dtype=numpy.uint8), deep=True)
         image.GetPointData().SetScalars(values)
+        volume = vtkVolume()
+        renderer.AddVolume(volume)
+        return renderer, volume, image
+
+    def test_volume(self):
+        """Gradient opacities are recorded, and grey volumes remain grey."""
+        renderer, volume, image = self.volume()
         mapper = vtkFixedPointVolumeRayCastMapper()
         mapper.SetInputData(image)
-        volume = vtkVolume()
         volume.SetMapper(mapper)
         functions = volume.GetProperty()
         grey, opacity, gradient = (vtkPiecewiseFunction() for _ in range(3))
@@ -780,17 +797,95 @@ class Compared(unittest.TestCase):
         functions.SetColor(grey)
         functions.SetScalarOpacity(opacity)
         functions.SetGradientOpacity(gradient)
-        renderer.AddVolume(volume)
         relievo.write_baseline(self.path, renderer)
         self.assertEqual(functions.GetColorChannels(), 1)
         self.assertTrue(relievo.compare(self.path, renderer))
         gradient.AddPoint(100, 0.9)
-        changed = self.only(relievo.compare(self.path, renderer), "translucent")
-        self.assertEqual(changed["words"], "translucent: gradient_opacity")
+        changed = self.only(relievo.compare(self.path, renderer), "color")
+        self.assertEqual(changed["words"], "color: gradient opacity")
         gradient.RemovePoint(100)
         grey.AddPoint(100, 0.9)
-        changed = self.only(relievo.compare(self.path, renderer), "translucent")
-        self.assertEqual(changed["words"], "translucent: functions")
+        changed = self.only(relievo.compare(self.path, renderer), "color")
+        self.assertEqual(changed["words"], "color: colors")
+
+    def test_volume_layers(self):
+        """Baselines of volumes that OpenGL draws have their layers, by which changes are found."""
+        renderer, volume, image = self.volume()
+        image.GetPointData().GetScalars().SetName("density")
+        mapper = vtkSmartVolumeMapper()
+        mapper.SetInputData(image)
+        volume.SetMapper(mapper)
+        opacity = vtkPiecewiseFunction()
+        opacity.AddPoint(0, 0.1)
+        opacity.AddPoint(255, 0.9)
+        volume.GetProperty().SetScalarOpacity(opacity)
+        stage = relievo.attach(renderer)
+        volume.VisibilityOff()
+        relievo.write_baseline(self.path, renderer)  # VTK adds functions when it draws
+        volume.VisibilityOn()
+        self.only(relievo.compare(self.path, renderer), "visibility")
+        relievo.write_baseline(self.path, renderer)
+        self.assertFalse(stage.IsLayerRequested("volume"))
+        base = relievo.read_exr(self.path)
+        seen = relievo.layer(base, "volume_opacity") > 0.1
+        self.assertGreater(numpy.count_nonzero(seen), 200)
+        self.assertTrue(relievo.compare(self.path, renderer))
+        values = vtk_to_numpy(image.GetPointData().GetScalars())
+
+        def halve():
+            values[300:500] //= 2
+            image.GetPointData().GetScalars().Modified()
+
+        for cause, change, undo in (
+            ("moved", lambda: volume.SetPosition(0.1, 0, 0), lambda: volume.SetPosition(0, 0, 0)),
+            ("color", lambda: opacity.AddPoint(100, 0.9), lambda: opacity.RemovePoint(100)),
+            ("visibility", volume.VisibilityOff, volume.VisibilityOn),
+            ("array", halve, lambda: None),
+        ):  # fmt: skip
+            change()
+            found = self.only(relievo.compare(self.path, renderer), cause)
+            undo()
+            self.assertEqual((found["kind"], found["id"]), ("volume", 0))
+            self.assertGreater(found["pixels"], 100)
+
+    def test_blocks_and_glyphs(self):
+        """The record has hidden blocks by name, and the shapes of glyphs."""
+        renderer = self.renderer()
+        blocks = vtkMultiBlockDataSet()
+        for number, actor in enumerate(self.actors):
+            blocks.SetBlock(number, actor.GetMapper().GetInput())
+            blocks.GetMetaData(number).Set(vtkCompositeDataSet.NAME(), ("tall", "low")[number])
+        attributes = vtkCompositeDataDisplayAttributes()
+        mapper = CompositeMapper()
+        mapper.SetInputDataObject(blocks)
+        mapper.SetCompositeDataDisplayAttributes(attributes)
+        both = vtkActor()
+        both.SetMapper(mapper)
+        source = vtkCubeSource()
+        glyphs = vtkGlyph3DMapper()
+        glyphs.SetInputData(self.actors[1].GetMapper().GetInput())
+        glyphs.SetSourceConnection(source.GetOutputPort())
+        glyphs.SetScaleFactor(0.1)
+        dots = vtkActor()
+        dots.SetMapper(glyphs)
+        dots.SetPosition(0, 1, 0)
+        renderer.RemoveAllViewProps()
+        renderer.AddActor(both)
+        renderer.AddActor(dots)
+        relievo.write_baseline(self.path, renderer, names={both: "both", dots: "dots"})
+        self.assertTrue(relievo.compare(self.path, renderer))
+        attributes.SetBlockVisibility(blocks.GetBlock(1), False)
+        hidden = self.only(relievo.compare(self.path, renderer), "visibility")
+        self.assertEqual(
+            (hidden["name"], hidden["words"]), ("both", "visibility: block 2 (low) hidden"))
+        self.assertGreater(hidden["pixels"], 100)
+        attributes.SetBlockVisibility(blocks.GetBlock(1), True)
+        attributes.SetBlockColor(blocks.GetBlock(0), (1, 0, 0))
+        self.assertEqual(self.only(relievo.compare(self.path, renderer), "color")["name"], "both")
+        attributes.RemoveBlockColors()
+        source.SetXLength(1.2)
+        glyph = self.only(relievo.compare(self.path, renderer), "shape")
+        self.assertEqual((glyph["name"], glyph["words"]), ("dots", "shape: other glyphs"))
 
     def test_window(self):
         """vtkRelievoBaseline.Test(), for programs in C++: its text and files."""

@@ -8,6 +8,7 @@
 #include "Display.h"
 #include "RelievoBench.h"
 #include "Rounds.h"
+#include "Scripts.h"
 #include "Values.h"
 #include "Version.h"
 
@@ -15,7 +16,9 @@
 #include "vtkRenderWindow.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -29,10 +32,12 @@ class BenchCommand : public Command
 {
 public:
   BenchCommand()
-    : Command("bench", "NAME...",
+    : Command("bench", "NAME... | NAME -- OPTION...",
         "bench runs benchmarks, prints their results, and writes CSV files, and charts if "
-        "Python has matplotlib; otherwise bench/charts.py draws them later. Without a known "
-        "NAME it lists the names. Several NAMEs, or all, run in separate processes, so that "
+        "Python has matplotlib; otherwise bench/charts.py draws them later. Some benches are "
+        "Python scripts of Relievo's sources, and need these; words after -- are options of the "
+        "script. "
+        "Several NAMEs, or all, run in separate processes, so that "
         "a failure does not stop the others: their output is in DIR/logs, and DIR/summary.md "
         "lists outcomes and times. Repeating the call runs only the unfinished ones.")
   {
@@ -43,16 +48,23 @@ public:
         "such as docs/charts, beside the new ones",
         this->Beside)
       .Files = "/";
+    this->AddFlag("--list", "lists the benches with a line about each", this->Lists);
     this->AddFlag("--quick",
-      "repeats each measurement three times instead of up to 31 times, for a first look; "
-      "the same call without --quick measures again",
+      "repeats each measurement three times instead of up to 31 times, or draws few scenes, for a "
+      "first look; the same call without --quick measures again",
       this->Quick);
   }
 
   int Run(const std::vector<std::string>& words) override
   {
-    this->Take(words);
+    const auto dashes = std::find(words.begin(), words.end(), "--");
+    this->Take({ words.begin(), dashes });
 #ifdef RELIEVO_HAVE_BENCH
+    if (this->Lists)
+    {
+      List();
+      return 0;
+    }
     std::vector<std::string> names;
     for (const RelievoBenchEntry& entry : RelievoBenchEntries())
     {
@@ -63,7 +75,8 @@ public:
     const std::string expected = "one of " + scene::Join(names, ", ") + ", or all";
     if (this->Names.empty())
     {
-      throw scene::UsageError("bench: no NAME given, expected " + expected);
+      throw scene::UsageError(
+        "bench: no NAME given, expected " + expected + " (bench --list describes them)");
     }
     for (const std::string& name : this->Names)
     {
@@ -72,13 +85,23 @@ public:
         scene::RefuseValue("bench", name, expected);
       }
     }
+    const bool isScript = this->Names.size() == 1 && !isAll && FindScript(this->Names.front());
+    if (dashes != words.end() && !(isScript && this->Beside.empty()))
+    {
+      throw scene::UsageError("bench: got options behind --, expected them for one NAME, a script "
+                              "(bench --list), without --beside");
+    }
     {
       vtkNew<vtkRenderWindow> probe; // benches draw in windows of their own
       scene::CheckDisplay(probe);
     }
     if (isAll || this->Names.size() > 1 || !this->Beside.empty())
     {
-      return this->RunSeveral(isAll ? names : this->Names);
+      return this->RunSeveral(isAll ? ListRunnable() : this->Names);
+    }
+    if (dashes != words.end())
+    {
+      relievoBench::SetScriptWords({ std::next(dashes), words.end() });
     }
     constexpr int quickRounds = 3;
     relievoBench::SetMostRounds(this->Quick ? quickRounds : 0);
@@ -91,6 +114,51 @@ public:
 
 private:
 #ifdef RELIEVO_HAVE_BENCH
+  static void List()
+  {
+    std::size_t width = 0;
+    for (const RelievoBenchEntry& entry : RelievoBenchEntries())
+    {
+      width = std::max(width, std::string(entry.Name).size());
+    }
+    for (const RelievoBenchEntry& entry : RelievoBenchEntries())
+    {
+      std::printf("%-*s  %s%s\n", static_cast<int>(width), entry.Name, entry.What,
+        entry.Script ? (std::string(" (bench/") + entry.Script + ")").c_str() : "");
+    }
+  }
+
+  // The file of a Python bench; null for others.
+  static const char* FindScript(const std::string& name)
+  {
+    for (const RelievoBenchEntry& entry : RelievoBenchEntries())
+    {
+      if (name == entry.Name)
+      {
+        return entry.Script;
+      }
+    }
+    return nullptr;
+  }
+
+  // The benches that `all` means: Python scripts only where they are.
+  static std::vector<std::string> ListRunnable()
+  {
+    std::vector<std::string> names;
+    for (const RelievoBenchEntry& entry : RelievoBenchEntries())
+    {
+      const std::string whyNot =
+        entry.Script ? relievoBench::FindWhyNot(entry.Script) : std::string();
+      if (whyNot.empty())
+      {
+        names.emplace_back(entry.Name);
+        continue;
+      }
+      std::printf("%s is left out: %s\n", entry.Name, whyNot.c_str());
+    }
+    return names;
+  }
+
   int RunSeveral(const std::vector<std::string>& asked) const
   {
     std::error_code error;
@@ -108,6 +176,7 @@ private:
 
   std::string Folder = ".";
   std::string Beside; // folder of CSV files for comparison; may be empty
+  bool Lists = false; // only lists the benches
   bool Quick = false; // fewer repetitions
 };
 }
