@@ -150,6 +150,18 @@ public:
     }
   }
 
+  // No place outside of the range faces the light.
+  void Keep(const std::array<std::size_t, 2>& range)
+  {
+    for (std::size_t i = 0; i < this->Normals.size(); ++i)
+    {
+      if (i < range[0] || i >= range[1])
+      {
+        this->Normals[i] = Vector{};
+      }
+    }
+  }
+
 private:
   struct Triangle
   {
@@ -440,6 +452,7 @@ int vtkRelievoSunExposure::RequestData(
   Places places;
   const double before = BeforeSurface * mesh->GetLength();
   this->Points ? places.TakePoints(mesh, before) : places.TakeCells(mesh, before);
+  places.Keep(this->GetShare(places.At.size()));
 
   Openings openings(scene, places);
   std::vector<double> hours(places.At.size());

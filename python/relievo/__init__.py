@@ -118,6 +118,7 @@ from ._frame import report, vtkRelievoPass
 from ._image import attributes, from_image, layer, layer_names, to_image
 from ._keep import attach, detach
 from ._layers import layers
+from ._parts import Part, merge, parts, verify
 from ._picture import picture, write_png
 from ._points import depth_to_points
 from ._rays import rays
@@ -142,6 +143,7 @@ __all__ = [
     "Fisheye",
     "Lidar",
     "Orthographic",
+    "Part",
     "Pinhole",
     "Pushbroom",
     "attach",
@@ -160,7 +162,9 @@ __all__ = [
     "layer_names",
     "layers",
     "lens",
+    "merge",
     "moment",
+    "parts",
     "picture",
     "provide_vtkmodules",
     "rays",
@@ -174,6 +178,7 @@ __all__ = [
     "stages",
     "sun_exposure",
     "to_image",
+    "verify",
     "visible",
     "vtkRelievoPass",
     "write_baseline",

@@ -2,6 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sensors by rays: compared with frames, closed forms and separate projections."""
 
+import concurrent.futures
+import pathlib
+import pickle
+import shlex
+import tempfile
 import unittest
 
 import numpy
@@ -1496,6 +1501,38 @@ class OwnShaders(unittest.TestCase):
                 self.assertLess(numpy.abs(layers["range"] - away)[seen].max(), 1e-5)
             actor.GetShaderProperty().ClearAllVertexShaderReplacements()
             straight.VisibilityOff()
+
+
+class Parts(unittest.TestCase):
+    def test_parts(self):
+        """Pickled parts, in threads, make the file of one process; wrong arguments are refused."""
+        with tempfile.TemporaryDirectory() as folder:
+            ground = pathlib.Path(folder, "a ground.off")
+            ground.write_text("OFF\n6 2 0\n-2 0 -1\n-2 0 1\n0 0 1\n0 0 -1\n2 0 1\n2 0 -1\n"
+                              "4 0 1 2 3\n4 3 2 4 5\n")  # fmt: skip
+            job = ["sun", ground, "--place", "40,10", "--dates", "2026-03-20", "-o"]
+            whole, shared = (pathlib.Path(folder, name) for name in ("whole.vtp", "shared.vtp"))
+            relievo.parts([*job, whole], 1)[0]()
+            self.assertEqual(relievo.merge(f"{whole}.parts"), str(whole))
+            parts = relievo.parts(shlex.join(map(str, [*job, shared])), 3)
+            first = pickle.loads(pickle.dumps(parts[0]))
+            self.assertEqual(sorted(pathlib.Path(path).name for path in first()),
+                             ["mesh.vtp", "part-000001.bin", "part-000001.json"])  # fmt: skip
+            self.assertIn("2 missing: 2, 3", relievo.verify(parts))
+            with self.assertRaisesRegex(RuntimeError, "1 of 3 parts complete"):
+                relievo.merge(parts)
+            with concurrent.futures.ThreadPoolExecutor(2) as pool:
+                list(pool.map(relievo.Part.__call__, parts))
+            self.assertEqual(relievo.merge(parts), str(shared))
+            self.assertEqual(relievo.verify(parts), "")
+            self.assertEqual(shared.read_bytes(), whole.read_bytes())
+            with self.assertRaisesRegex(ValueError, "--place"):
+                relievo.parts(["sun", str(ground), "-o", "none.vtp"], 2)[0]()
+            for given in (("render a.off --png a.png", 2), ("sun a.off", 2), ([*job, shared], 0)):
+                with self.assertRaises(ValueError):
+                    relievo.parts(*given)
+            with self.assertRaises(ValueError):
+                relievo.merge([1])
 
 
 if __name__ == "__main__":
