@@ -17,6 +17,7 @@
 #include "vtkNew.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkRelievoCaves.h"
+#include "vtkRelievoCover.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoEnvironmentConvert.h"
 #include "vtkRelievoEnvironmentIrradiance.h"
@@ -540,6 +541,7 @@ std::map<std::string, std::string> MakeAll()
   vtkNew<vtkRelievoSunExposure> exposure;
   exposure->SetUpAxis(2);
   addFilter("sun exposure", exposure);
+  addFilter("cover", vtkNew<vtkRelievoCover>());
   return made;
 }
 }

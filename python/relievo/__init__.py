@@ -125,7 +125,7 @@ from ._rays import rays
 from ._scale_bar import scale_bar
 from ._scene import scene
 from ._show import show
-from ._sight import flow, moment, sun_exposure, visible
+from ._sight import cover, flow, moment, sun_exposure, visible
 from ._stages import stage, stages
 from ._things import functions as _functions
 from ._vtkmodules import provide_vtkmodules
@@ -151,6 +151,7 @@ __all__ = [
     "camera",
     "capture",
     "compare",
+    "cover",
     "depth_to_points",
     "detach",
     "environment",

@@ -32,8 +32,8 @@ class Part:
     def __call__(self) -> list[str]:
         """Computes the part.
 
-        Returns the paths of its files. Raises ValueError for invalid words, RuntimeError if the work
-        fails.
+        Returns the paths of its files. Raises ValueError for invalid words, RuntimeError if the
+        work fails.
         """
         _run([*self.words, f"--part={self.number}/{self.count}"], self.folder)
         return self.files()
@@ -78,8 +78,8 @@ def parts(job, n) -> list[Part]:
     n: number of parts, from 1; a part without work only says so.
 
     Parts can be pickled: concurrent.futures, joblib, dask.distributed and submitit take them as
-    functions without arguments. What merge() makes of them does not depend on n, nor on the order in
-    which they ran. Raises ValueError for wrong arguments.
+    functions without arguments. What merge() makes of them does not depend on n, nor on the order
+    in which they ran. Raises ValueError for wrong arguments.
     """
     words = tuple(shlex.split(job)) if isinstance(job, str) else tuple(map(os.fspath, job))
     if not words or words[0] not in _WITH_PARTS:
@@ -140,8 +140,8 @@ def _output(words):
 def _run(words, folder=None, good=(0,)):
     path = program()
     if path is None:
-        raise RuntimeError("relievo: this build has no command: build the target relievo, or install "
-                           "a wheel")
+        raise RuntimeError("relievo: this build has no command: build the target relievo, or "
+                           "install a wheel")
     done = subprocess.run([path, *words], cwd=folder, text=True, capture_output=True, check=False)
     if done.returncode not in good:
         raise (ValueError if done.returncode == 2 else RuntimeError)(

@@ -97,6 +97,11 @@ void Command::AddMeshOptions(const std::string& extension)
     [this](const std::string& value) { this->AllowedFolders.push_back(value); });
   folders.Files = "/";
   folders.Repeats = true;
+}
+
+//------------------------------------------------------------------------------
+void Command::AddUpOption()
+{
   const std::vector<std::string> axes = { "x", "y", "z" };
   this
     ->Add("--up AXIS",

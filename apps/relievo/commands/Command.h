@@ -52,9 +52,11 @@ protected:
   /// Adds an option for an output file with the extension at the end of its use: "-o FILE.vtp".
   vtkRelievoOption& AddOutput(const std::string& use, const std::string& help, std::string& file);
 
-  /// Adds the options of commands that read meshes: -o, --allow-folder and --up, which is -1 if it
-  /// is not given.
+  /// Adds the options of commands that read meshes: -o and --allow-folder.
   void AddMeshOptions(const std::string& extension);
+
+  /// Adds --up, whose value is -1 if it is not given.
+  void AddUpOption();
 
   /// Adds --part, for work that several processes share.
   void AddPartOption(const std::string& items);
@@ -92,6 +94,7 @@ private:
 std::unique_ptr<Command> MakeBench();
 std::unique_ptr<Command> MakeCave();
 std::unique_ptr<Command> MakeCompare();
+std::unique_ptr<Command> MakeCover();
 std::unique_ptr<Command> MakeDataset();
 std::unique_ptr<Command> MakeMerge();
 std::unique_ptr<Command> MakeRender();

@@ -46,6 +46,7 @@ public:
         [this](const std::string& value) { this->TakeDates(value); })
       .Missing = "no dates; give --dates FIRST[:LAST[:EVERY]]";
     this->AddMeshOptions(".vtp");
+    this->AddUpOption();
     this->AddParameters(this->Sun->GetParameters(),
       { { "latitude", "" }, { "longitude", "" }, { "day_step", "" }, { "step", "--step MINUTES" },
         { "up_axis", "" }, { "sky_samples", "--sky N" } });

@@ -46,6 +46,7 @@ public:
     poses.Words = { "orbit:", "random:" };
     poses.Files = "json";
     this->AddMeshOptions(".vtp");
+    this->AddUpOption();
     this->AddOutput(
       "--cloud FILE.vtp", "writes the surface points seen in the pixels", this->Cloud);
     this->AddOfRender("--size", "pixels of each camera (1024x768)");

@@ -32,9 +32,9 @@ public:
 
   explicit MeshParts(const std::string& folder);
 
-  /// Prepares the filter for a part, in a folder that is new or was begun by this command with these
-  /// words and the filter's meshes; otherwise throws UsageError. False, with a line for the user, if
-  /// the part is complete.
+  /// Prepares the filter for a part, in a folder that is new or was begun by this command with
+  /// these words and the filter's meshes; otherwise throws UsageError. False, with a line for the
+  /// user, if the part is complete.
   bool Begin(const std::string& command, const std::string& words, vtkRelievoSightAlgorithm* filter,
     const scene::WorkPart& part);
 
