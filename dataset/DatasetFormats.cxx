@@ -6,6 +6,7 @@
 #include "DatasetObjects.h"
 #include "DatasetView.h"
 #include "Errors.h"
+#include "FileHash.h"
 #include "Lens.h"
 
 #include "vtkDataArray.h"
@@ -85,7 +86,7 @@ void WriteLayers(const DatasetStyle& style, const DatasetView& view, const std::
   {
     image->GetPointData()->AddArray(view.Layers->GetPointData()->GetArray(layer.c_str()));
   }
-  WriteWhole(style.Folder + "/layers/" + name + ".exr", [&image](const std::string& file) {
+  style.Write("layers/" + name + ".exr", [&image](const std::string& file) {
     vtkNew<vtkRelievoEXRWriter> writer;
     writer->SetInputData(image);
     writer->SetFileName(file.c_str());
@@ -96,17 +97,18 @@ void WriteLayers(const DatasetStyle& style, const DatasetView& view, const std::
 }
 
 //------------------------------------------------------------------------------
-std::string WriteDatasetNumber(std::size_t number)
+void DatasetStyle::Write(const std::string& path, const std::string& bytes) const
 {
-  constexpr std::size_t digits = 6;
-  const std::string text = std::to_string(number);
-  return std::string(text.size() < digits ? digits - text.size() : 0, '0') + text;
+  WriteWhole(this->Folder + "/" + path, bytes);
+  this->Hashes[path] = FileHash::Of(bytes);
 }
 
 //------------------------------------------------------------------------------
-std::string WriteDatasetJson(const Json& json)
+void DatasetStyle::Write(
+  const std::string& path, const std::function<bool(const std::string&)>& write) const
 {
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  WriteWhole(this->Folder + "/" + path, write);
+  this->Hashes[path] = FileHash::OfFile(this->Folder + "/" + path);
 }
 
 //------------------------------------------------------------------------------
@@ -114,7 +116,7 @@ void WriteDatasetPictures(const DatasetStyle& style, const DatasetView& view,
   const std::string& folder, const std::string& name)
 {
   const auto write = [&](const std::string& path, const std::string& bytes) {
-    WriteWhole(style.Folder + "/" + path + "/" + name + ".png", bytes);
+    style.Write(path + "/" + name + ".png", bytes);
   };
   if (!view.Picture.empty())
   {
@@ -122,12 +124,6 @@ void WriteDatasetPictures(const DatasetStyle& style, const DatasetView& view,
   }
   write("depth", EncodePNG(GetDepthSteps(view, style.DepthStep), view.Columns, view.Rows));
   WriteLayers(style, view, name);
-}
-
-//------------------------------------------------------------------------------
-void WriteDatasetJson(const std::string& path, const Json& json)
-{
-  WriteWhole(path, WriteDatasetJson(json));
 }
 
 //------------------------------------------------------------------------------

@@ -8,8 +8,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkRelievoCameraModel;
@@ -30,6 +33,15 @@ struct DatasetStyle
   double DepthStep = 0.0; ///< world units per step of 16-bit depth
   double MillimetersPerUnit = 1000.0;
   std::vector<std::string> Layers; ///< requested layers
+
+  /// Hashes of the files written since it was last emptied, by path in the folder.
+  mutable std::map<std::string, std::string> Hashes;
+
+  ///@{
+  /// WriteWhole for a path in the folder. Throws FileError.
+  void Write(const std::string& path, const std::string& bytes) const;
+  void Write(const std::string& path, const std::function<bool(const std::string&)>& write) const;
+  ///@}
 };
 
 /// A format: its requirements for views, and the files of a view and of all views. Each is in a
@@ -75,10 +87,11 @@ public:
   virtual void WriteView(const DatasetStyle& style, const DatasetView& view,
     const DatasetObjects& objects, const Json& record, const std::string& name) const = 0;
 
-  /// Writes the indices of these complete records. Throws FileError.
-  virtual void WriteIndex(const DatasetStyle&, const std::vector<std::string>& /*objects*/,
-    const std::vector<Json>&) const
+  /// The indices of these complete records: each file's name, and its content.
+  virtual std::vector<std::pair<std::string, Json>> MakeIndex(const DatasetStyle&,
+    const std::vector<std::string>& /*objects*/, const std::vector<Json>&) const
   {
+    return {};
   }
 
   /// Writes the meshes to which poses refer. Throws FileError.
@@ -91,15 +104,6 @@ const std::vector<std::unique_ptr<DatasetFormat>>& GetDatasetFormats();
 #define RELIEVO_DATASET_FORMAT(name) std::unique_ptr<DatasetFormat> Make##name##Format();
 #include "DatasetFormatList.h"
 #undef RELIEVO_DATASET_FORMAT
-
-/// The six digits of a view or an object in file names.
-std::string WriteDatasetNumber(std::size_t number);
-
-///@{
-/// Serializes JSON, also to a file; bytes that are not Unicode are replaced.
-std::string WriteDatasetJson(const nlohmann::ordered_json& json);
-void WriteDatasetJson(const std::string& path, const nlohmann::ordered_json& json);
-///@}
 
 /// Whether the entry is a list of `count` numbers.
 bool IsNumbers(const nlohmann::ordered_json& json, const char* name, std::size_t count);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DatasetModels.h"
 
-#include "DatasetFiles.h"
 #include "DatasetFormats.h"
 #include "DatasetObjects.h"
+#include "FileHash.h"
 #include "Messages.h"
 
 #include "vtkBoundingBox.h"
@@ -230,16 +230,31 @@ Json DescribeModel(const Model& model)
     { "min_z", low[2] }, { "size_x", box.GetLength(0) }, { "size_y", box.GetLength(1) },
     { "size_z", box.GetLength(2) } };
 }
+
+// Adds the hashes of models that another call has written.
+void HashModels(const DatasetStyle& style)
+{
+  std::error_code trouble;
+  for (const auto& entry : std::filesystem::directory_iterator(style.Folder + "/models", trouble))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind("obj_", 0) == 0 || name == "models_info.json")
+    {
+      style.Hashes["models/" + name] = FileHash::OfFile(entry.path().string());
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
-void WriteDatasetModels(const std::string& folder, vtkRenderer* renderer,
-  const DatasetObjects& objects, double millimetersPerUnit)
+void WriteDatasetModels(
+  const DatasetStyle& style, vtkRenderer* renderer, const DatasetObjects& objects)
 {
-  const std::string path = folder + "/models/";
+  const std::string path = style.Folder + "/models/";
   std::error_code trouble;
   if (std::filesystem::exists(path + "models_info.json", trouble)) // written last
   {
+    HashModels(style);
     return;
   }
   vtkNew<vtkRelievoRayScene> scene;
@@ -256,7 +271,7 @@ void WriteDatasetModels(const std::string& folder, vtkRenderer* renderer,
       const auto number = static_cast<std::size_t>(object);
       vtkNew<vtkPolyData> mesh;
       scene->CopyMesh(i, mesh);
-      AddMesh(models[number], mesh, objects.Get()[number], millimetersPerUnit);
+      AddMesh(models[number], mesh, objects.Get()[number], style.MillimetersPerUnit);
     }
   }
   Json infos = Json::object();
@@ -264,13 +279,13 @@ void WriteDatasetModels(const std::string& folder, vtkRenderer* renderer,
   {
     if (models[i].Triangles.empty())
     {
-      Messages::Warn(folder + ": no model of " + objects.Get()[i].Name +
+      Messages::Warn(style.Folder + ": no model of " + objects.Get()[i].Name +
         ": rays cannot trace its triangles, or it has none");
       continue;
     }
-    WriteWhole(path + "obj_" + WriteDatasetNumber(i + 1) + ".ply", EncodePLY(models[i]));
+    style.Write("models/obj_" + WriteDatasetNumber(i + 1) + ".ply", EncodePLY(models[i]));
     infos[std::to_string(i + 1)] = DescribeModel(models[i]);
   }
-  WriteWhole(path + "models_info.json", WriteDatasetJson(infos));
+  style.Write("models/models_info.json", WriteDatasetJson(infos));
 }
 }

@@ -6,19 +6,18 @@
 #ifndef DatasetModels_h
 #define DatasetModels_h
 
-#include <string>
-
 class vtkRenderer;
 
 namespace scene
 {
 class DatasetObjects;
+struct DatasetStyle;
 
 /// Writes models/obj_NUMBER.ply of each object, and models/models_info.json, in BOP's layout: in
 /// millimetres, relative to the axes and the origin of the object's pose. Existing models stay.
 /// Throws FileError.
-void WriteDatasetModels(const std::string& folder, vtkRenderer* renderer,
-  const DatasetObjects& objects, double millimetersPerUnit);
+void WriteDatasetModels(
+  const DatasetStyle& style, vtkRenderer* renderer, const DatasetObjects& objects);
 }
 
 #endif

@@ -5,12 +5,14 @@
 #include "DatasetFiles.h"
 #include "DatasetFormats.h"
 #include "DatasetObjects.h"
+#include "DatasetParts.h"
 #include "DatasetPoses.h"
 #include "DatasetView.h"
 #include "Errors.h"
 #include "Messages.h"
 #include "Outcome.h"
 #include "Values.h"
+#include "WorkFolder.h"
 
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
@@ -20,7 +22,6 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -37,82 +38,6 @@ namespace fs = std::filesystem;
 namespace
 {
 using Json = nlohmann::ordered_json;
-
-constexpr const char* SettingsFile = "/dataset.json";
-constexpr const char* Records = "/views";
-
-Json Parse(const std::string& path)
-{
-  Json json = Json::parse(scene::ReadWhole(path), nullptr, false);
-  if (json.is_discarded())
-  {
-    throw scene::FileError(path + ": is no JSON; remove it, or give another folder");
-  }
-  return json;
-}
-
-// The first file in the folder other than its settings and temporary files; empty: none.
-std::string FindOther(const std::string& folder)
-{
-  std::error_code trouble;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, trouble))
-  {
-    const std::string name = entry.path().filename().string();
-    if (name.rfind(".relievo-", 0) != 0 && name != SettingsFile + 1)
-    {
-      return name;
-    }
-  }
-  return "";
-}
-
-// Throws UsageError unless the folder is empty or was begun with these settings. A folder with
-// nothing but settings, left by a refused or interrupted call, is begun anew.
-void OpenFolder(const std::string& folder, const Json& settings)
-{
-  const std::string path = folder + SettingsFile;
-  std::error_code trouble;
-  if (!fs::exists(path, trouble))
-  {
-    scene::MakeFolder(folder);
-    const std::string other = FindOther(folder);
-    if (other.empty())
-    {
-      scene::WriteWhole(path, scene::WriteDatasetJson(settings));
-      return;
-    }
-    if (!fs::exists(path, trouble)) // another process may have created it meanwhile
-    {
-      throw scene::UsageError(folder + ": contains other files, such as " + other +
-        "; give a folder that is empty or not there");
-    }
-  }
-  const Json before = Parse(path);
-  const Json now = Json::parse(scene::WriteDatasetJson(settings)); // as in the file
-  // A computed depth step depends on all settings, so the message names the differing setting.
-  std::vector<std::string> names;
-  for (const auto& [name, value] : now.items())
-  {
-    names.push_back(name);
-  }
-  std::stable_partition(
-    names.begin(), names.end(), [](const std::string& name) { return name != "depth_step"; });
-  for (const std::string& name : names)
-  {
-    const Json& value = now[name];
-    if (!before.contains(name) || before[name] != value)
-    {
-      if (FindOther(folder).empty())
-      {
-        scene::WriteWhole(path, scene::WriteDatasetJson(settings));
-        return;
-      }
-      throw scene::UsageError(folder + ": was begun with " + name + " " +
-        (before.contains(name) ? before[name].dump() : "of its own") + ", now it is " +
-        value.dump() + "; give another folder, or the settings of before");
-    }
-  }
-}
 
 // The largest depth of a bounds' corner in any camera.
 double FindFarthest(
@@ -151,7 +76,7 @@ struct vtkRelievoDatasetWriter::Internals
 
   std::string GetRecord(std::size_t view) const
   {
-    return this->Directory + Records + "/" + scene::WriteDatasetNumber(view) + ".json";
+    return scene::GetDatasetRecord(this->Directory, view);
   }
 
   // Complete views.
@@ -419,7 +344,7 @@ Json vtkRelievoDatasetWriter::Internals::ReadRecord(
   const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const
 {
   const std::string path = this->GetRecord(view);
-  Json record = Parse(path);
+  Json record = scene::ReadWorkJson(path);
   if (!scene::IsDatasetRecord(*style.Format, record, objects) || record["view"] != view)
   {
     throw scene::FileError(path + ": is no record of view " + std::to_string(view) +
@@ -448,7 +373,7 @@ void vtkRelievoDatasetWriter::Internals::WriteIndex(
     {
       records.push_back(this->ReadRecord(style, view, objects.size()));
     }
-    style.Format->WriteIndex(style, objects, records);
+    scene::WriteDatasetIndex(style, objects, records);
     written = views;
     views = this->FindRecords();
   }
@@ -463,6 +388,41 @@ bool vtkRelievoDatasetWriter::Write()
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetPart(int part, int parts)
+{
+  if (parts < 1 || part < 1 || part > parts)
+  {
+    vtkErrorMacro("SetPart: got " << part << " of " << parts
+                                  << ", expected a part from 1 to the number of parts.");
+    return;
+  }
+  this->Part = part;
+  this->NumberOfParts = parts;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDatasetWriter::Merge(RELIEVO_TEXT directory)
+{
+  const std::string folder = directory;
+  return this->Try([&folder] { scene::MergeDataset(folder); });
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoDatasetWriter::Verify(RELIEVO_TEXT directory)
+{
+  constexpr int different = 3; // as of relievo compare
+  const std::string folder = directory;
+  bool isWhole = false;
+  const bool done = this->Try([&] {
+    const scene::WorkState state = scene::VerifyDataset(folder);
+    this->Verdict = state.GetText(folder);
+    isWhole = state.IsWhole();
+  });
+  return !done ? -1 : isWhole ? 0 : different;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::WriteViews()
 {
   Internals& self = *this->Internal;
@@ -470,14 +430,21 @@ void vtkRelievoDatasetWriter::WriteViews()
     *scene::GetDatasetFormats()[static_cast<std::size_t>(this->Format)];
   self.Check(format);
   const int views = this->GetNumberOfViews();
-  const int end = this->Range[1] < 0 ? views : this->Range[1];
-  const std::string range =
-    "views: got " + std::to_string(this->Range[0]) + ":" + std::to_string(end);
-  if (this->Range[0] >= end)
+  const scene::WorkPart part{ this->Part, this->NumberOfParts };
+  const bool isPart = part.Count > 1;
+  int begin = this->Range[0];
+  int end = this->Range[1] < 0 ? views : this->Range[1];
+  const std::string range = "views: got " + std::to_string(begin) + ":" + std::to_string(end);
+  if (isPart && (begin > 0 || end < views))
+  {
+    throw scene::UsageError(
+      range + " and " + part.GetText() + "; expected a range of views or a part of all of them");
+  }
+  if (begin >= end)
   {
     throw scene::UsageError(range + ", expected the first view to be before the end");
   }
-  if (this->Range[0] < 0 || end > views)
+  if (begin < 0 || end > views)
   {
     throw scene::UsageError(range + ", expected views from 0 to " + std::to_string(views) +
       ": there are " + std::to_string(views));
@@ -494,22 +461,29 @@ void vtkRelievoDatasetWriter::WriteViews()
   style.DepthStep = this->DepthStep > 0.0 ? this->DepthStep : self.GetDepthStep(objects);
   style.MillimetersPerUnit = this->MillimetersPerUnit;
   style.Layers = self.Layers;
-  OpenFolder(self.Directory,
-    { { "format", format.Name }, { "views", views }, { "objects", names },
-      { "layers", self.Layers }, { "depth_step", style.DepthStep },
+  scene::OpenWorkFolder(self.Directory, scene::DatasetSettings,
+    { { "version", RELIEVO_VERSION }, { "format", format.Name }, { "views", views },
+      { "objects", names }, { "layers", self.Layers }, { "depth_step", style.DepthStep },
       { "mm_per_unit", this->MillimetersPerUnit }, { "random_sun", this->RandomSun },
       { "seed", this->Seed }, { "up_axis", std::string(1, "xyz"[this->UpAxis]) },
       { "scene", self.Description } });
+  if (isPart)
+  {
+    const auto share = part.GetRange(views);
+    begin = static_cast<int>(share[0]);
+    end = static_cast<int>(share[1]);
+  }
+  scene::PartProgress progress(self.Directory, part, "views");
   scene::DatasetPainter painter(self.Renderer, objects, self.Layers, format.NeedsSilhouettes);
   std::size_t beyond = 0;
-  for (int i = this->Range[0]; i < end; ++i)
+  for (int i = begin; i < end; ++i)
   {
     const auto number = static_cast<std::size_t>(i);
     vtkRelievoCameraModel* camera = self.Cameras[number];
     const std::string path = self.GetRecord(number);
-    if (fs::exists(path))
+    if (fs::exists(path) &&
+      scene::FindDamage(self.Directory, self.ReadRecord(style, number, names.size())).empty())
     {
-      self.ReadRecord(style, number, names.size());
       ++this->NumberOfViewsKept;
     }
     else
@@ -524,10 +498,21 @@ void vtkRelievoDatasetWriter::WriteViews()
       const scene::DatasetView view =
         painter.Draw(camera, i > 0 ? self.Cameras[number - 1].GetPointer() : nullptr, sun);
       beyond += scene::WriteDatasetView(style, view, objects, camera, number, record);
+      if (i == 0)
+      {
+        format.WriteModels(style, self.Renderer, objects); // their hashes are in the first record
+      }
+      record["version"] = RELIEVO_VERSION;
+      record["files"] = style.Hashes;
       scene::WriteWhole(path, scene::WriteDatasetJson(record));
       ++this->NumberOfViewsWritten;
     }
-    double share = static_cast<double>(i + 1 - this->Range[0]) / (end - this->Range[0]);
+    style.Hashes.clear();
+    if (isPart)
+    {
+      progress.Update(i + 1 - begin, end - begin, this->NumberOfViewsKept);
+    }
+    double share = static_cast<double>(i + 1 - begin) / (end - begin);
     this->InvokeEvent(vtkCommand::ProgressEvent, &share);
     if (this->Abort)
     {
@@ -535,8 +520,11 @@ void vtkRelievoDatasetWriter::WriteViews()
         "; the same call goes on from there");
     }
   }
-  self.WriteIndex(style, names);
-  format.WriteModels(style, self.Renderer, objects);
+  if (!isPart)
+  {
+    self.WriteIndex(style, names);
+    format.WriteModels(style, self.Renderer, objects);
+  }
   if (beyond > 0)
   {
     scene::Messages::Warn(self.Directory + ": " + std::to_string(beyond) +
@@ -556,4 +544,5 @@ void vtkRelievoDatasetWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ObjectsByBlock: " << this->ObjectsByBlock << "\n";
   this->Parameters.Print(os, indent);
   os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";
+  os << indent << "Part: " << this->Part << " of " << this->NumberOfParts << "\n";
 }

@@ -19,8 +19,9 @@
  *
  * The folder has dataset.json, the settings; views/NUMBER.json, a record of each view, written
  * after all other files of the view; and the format's own files. Write() continues an earlier,
- * interrupted one: views with a record stay unchanged. Several processes can share the work by
- * ranges; each writes the indices of all views present.
+ * interrupted one: views with a record stay unchanged. Several processes can share the work: by
+ * parts, whose indices Merge() writes, or by ranges, after which each writes the indices of all
+ * views present.
  *
  * Errors: one error event, with GetFailure() and GetFailureText(), like vtkRelievoScene. Progress:
  * progress events of 0 to 1; SetAbort() ends the work after the current view.
@@ -158,6 +159,17 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Which part of the work, from 1, Write() does, and the number of parts: so many equal shares of
+   * the views. Each part draws its views and writes no index. Default 1 of 1: all views of Range,
+   * and the indices.
+   */
+  void SetPart(int part, int parts);
+  vtkGetMacro(Part, int);
+  vtkGetMacro(NumberOfParts, int);
+  ///@}
+
+  ///@{
   /** A description of the contents; a folder begun with another description is refused. */
   void SetDescription(RELIEVO_TEXT text);
   std::string GetDescription();
@@ -170,6 +182,21 @@ public:
 
   /** Writes the missing views. */
   bool Write();
+
+  /**
+   * Writes the indices of a folder whose parts are all complete, which makes it the folder that a
+   * single call of Write() makes. Needs only the folder. False, with a failure, if views are
+   * missing or damaged.
+   */
+  bool Merge(RELIEVO_TEXT directory);
+
+  /**
+   * Checks a folder without changing it: 0 if it is whole; 3 if views or indices are missing, files
+   * damaged, or views of another version, which GetVerdict() then lists; -1, with a failure, if it
+   * is no data set.
+   */
+  int Verify(RELIEVO_TEXT directory);
+  std::string GetVerdict() { return this->Verdict; }
 
   ///@{
   /** Views written by the last Write(), and views that it found complete. */
@@ -206,6 +233,9 @@ private:
   int Seed = 0;
   int UpAxis = 1;
   int Range[2] = { 0, -1 };
+  int Part = 1;
+  int NumberOfParts = 1;
+  std::string Verdict;
   int NumberOfViewsWritten = 0;
   int NumberOfViewsKept = 0;
   int Failure = 0;

@@ -49,14 +49,14 @@ public:
       for (const bool whole : { false, true })
       {
         const DatasetMask& mask = whole ? view.Whole[i] : view.Visible[i];
-        WriteWhole(style.Folder + (whole ? "/mask" : "/mask_visib") + file,
+        style.Write((whole ? "mask" : "mask_visib") + file,
           EncodeMask(mask.GetBytes(white), view.Columns, view.Rows));
       }
     }
   }
 
-  void WriteIndex(const DatasetStyle& style, const std::vector<std::string>&,
-    const std::vector<Json>& records) const override
+  std::vector<std::pair<std::string, Json>> MakeIndex(const DatasetStyle& style,
+    const std::vector<std::string>&, const std::vector<Json>& records) const override
   {
     const double scale = style.MillimetersPerUnit;
     Json cameras = Json::object();
@@ -90,15 +90,14 @@ public:
           { "visib_fract", whole > 0.0 ? seen / whole : 0.0 } });
       }
     }
-    WriteDatasetJson(style.Folder + "/scene_gt.json", poses);
-    WriteDatasetJson(style.Folder + "/scene_gt_info.json", infos);
-    WriteDatasetJson(style.Folder + "/scene_camera.json", cameras);
+    return { { "scene_gt.json", poses }, { "scene_gt_info.json", infos },
+      { "scene_camera.json", cameras } };
   }
 
   void WriteModels(
     const DatasetStyle& style, vtkRenderer* renderer, const DatasetObjects& objects) const override
   {
-    WriteDatasetModels(style.Folder, renderer, objects, style.MillimetersPerUnit);
+    WriteDatasetModels(style, renderer, objects);
   }
 };
 }

@@ -38,8 +38,8 @@ public:
     WriteDatasetPictures(style, view, "images", name);
   }
 
-  void WriteIndex(const DatasetStyle& style, const std::vector<std::string>& objects,
-    const std::vector<Json>& records) const override
+  std::vector<std::pair<std::string, Json>> MakeIndex(const DatasetStyle& style,
+    const std::vector<std::string>& objects, const std::vector<Json>& records) const override
   {
     Json images = Json::array();
     Json annotations = Json::array();
@@ -72,9 +72,9 @@ public:
           { "amodal_area", object["amodal_pixels"] }, { "amodal_bbox", object["amodal_box"] } });
       }
     }
-    WriteDatasetJson(style.Folder + "/instances.json",
+    return { { "instances.json",
       { { "info", { { "description", "made by Relievo" }, { "depth_step", style.DepthStep } } },
-        { "images", images }, { "annotations", annotations }, { "categories", categories } });
+        { "images", images }, { "annotations", annotations }, { "categories", categories } } } };
   }
 };
 }

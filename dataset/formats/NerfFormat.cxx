@@ -83,8 +83,8 @@ public:
     WriteDatasetPictures(style, view, "images", name);
   }
 
-  void WriteIndex(const DatasetStyle& style, const std::vector<std::string>&,
-    const std::vector<Json>& records) const override
+  std::vector<std::pair<std::string, Json>> MakeIndex(const DatasetStyle& style,
+    const std::vector<std::string>&, const std::vector<Json>& records) const override
   {
     const bool isFisheye = !records.empty() && IsFisheye(records[0]["camera"]); // then all are
     Json all = { { "camera_model", isFisheye ? "OPENCV_FISHEYE" : "OPENCV" },
@@ -119,7 +119,7 @@ public:
       }
       all["frames"].push_back(frame);
     }
-    WriteDatasetJson(style.Folder + "/transforms.json", all);
+    return { { "transforms.json", all } };
   }
 };
 }

@@ -144,8 +144,7 @@ public:
           values);
       }
     }
-    const std::string path = style.Folder + "/" + name + ".npz";
-    WriteWhole(path, archive.Finish(path));
+    style.Write(name + ".npz", archive.Finish(style.Folder + "/" + name + ".npz"));
   }
 };
 }

@@ -7,11 +7,37 @@
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoRayScene.h"
+#include "vtkRelievoShare.h"
 
 //------------------------------------------------------------------------------
 vtkRelievoSightAlgorithm::vtkRelievoSightAlgorithm()
 {
   this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSightAlgorithm::SetPart(int part, int parts)
+{
+  if (parts < 1 || part < 1 || part > parts)
+  {
+    vtkErrorMacro("SetPart: got " << part << " of " << parts
+                                  << ", expected a part from 1 to the number of parts.");
+    return;
+  }
+  if (part != this->Part || parts != this->NumberOfParts)
+  {
+    this->Part = part;
+    this->NumberOfParts = parts;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::array<std::size_t, 2> vtkRelievoSightAlgorithm::GetShare(std::size_t all) const
+{
+  const auto share =
+    vtkRelievoShare(this->Part, this->NumberOfParts, static_cast<std::int64_t>(all));
+  return { static_cast<std::size_t>(share[0]), static_cast<std::size_t>(share[1]) };
 }
 
 //------------------------------------------------------------------------------
@@ -38,4 +64,11 @@ vtkSmartPointer<vtkRelievoRayScene> vtkRelievoSightAlgorithm::MakeScene(
     scene->AddData(vtkDataSet::GetData(inputs[1], i));
   }
   return scene;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSightAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Part: " << this->Part << " of " << this->NumberOfParts << "\n";
 }

@@ -14,12 +14,27 @@
 #include "vtkRelievoFiltersModule.h" // for the export macro
 #include "vtkSmartPointer.h"         // for the scene
 
+#include <array> // for shares
+
 class vtkRelievoRayScene;
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoSightAlgorithm : public vtkPolyDataAlgorithm
 {
 public:
   vtkAbstractTypeMacro(vtkRelievoSightAlgorithm, vtkPolyDataAlgorithm);
+
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Which part of the cells and points is computed, from 1, and the number of parts: each has an
+   * equal share, in their order, and 0 in the arrays elsewhere. The parts' arrays, added up, are
+   * those of a single filter, bit by bit. Default 1 of 1.
+   */
+  void SetPart(int part, int parts);
+  vtkGetMacro(Part, int);
+  vtkGetMacro(NumberOfParts, int);
+  ///@}
 
   /** Removes all occluders (input 1). */
   void RemoveOccluders() { this->SetInputConnection(1, nullptr); }
@@ -33,9 +48,15 @@ protected:
   // The mesh, as prop 0, and its occluders.
   static vtkSmartPointer<vtkRelievoRayScene> MakeScene(vtkInformationVector** inputs);
 
+  // The share of so many cells or points: the first, and the one after the last.
+  std::array<std::size_t, 2> GetShare(std::size_t all) const;
+
 private:
   vtkRelievoSightAlgorithm(const vtkRelievoSightAlgorithm&) = delete;
   void operator=(const vtkRelievoSightAlgorithm&) = delete;
+
+  int Part = 1;
+  int NumberOfParts = 1;
 };
 
 #endif

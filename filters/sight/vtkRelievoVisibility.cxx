@@ -31,6 +31,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -191,6 +192,11 @@ public:
   std::vector<int> PointsSeen;
   vtkPolyData* Cloud = nullptr;
 
+  // The cells and points that are computed, others stay 0; by default all. Pixels' rays hit all
+  // cells nevertheless: a pixel's mean solid angle needs them.
+  std::array<std::size_t, 2> CellShare = { 0, Pixels.size() };
+  std::array<std::size_t, 2> PointShare = { 0, PointsSeen.size() };
+
   bool Add(vtkRelievoCameraModel* camera, int number)
   {
     this->Camera = camera;
@@ -208,7 +214,7 @@ public:
     {
       return false;
     }
-    for (std::size_t cell = 0; cell < this->Hit.size(); ++cell)
+    for (std::size_t cell = this->CellShare[0]; cell < this->CellShare[1]; ++cell)
     {
       this->CellsSeen[cell] += this->Hit[cell] ? 1 : 0;
       this->Angles[cell] += this->Shown[cell];
@@ -298,7 +304,7 @@ private:
           continue;
         }
         const auto at = static_cast<std::size_t>(cell);
-        ++this->Pixels[at];
+        this->Pixels[at] += at >= this->CellShare[0] && at < this->CellShare[1] ? 1 : 0;
         ++this->PixelsShown;
         this->Shown[at] += angles.Get(i);
         this->Hit[at] = true;
@@ -518,7 +524,8 @@ private:
     std::size_t number, std::vector<unsigned char>& seen, std::vector<unsigned char>& asked)
   {
     const Triangle& triangle = this->Triangles[number];
-    if (this->Large[static_cast<std::size_t>(triangle.Cell)])
+    const auto cell = static_cast<std::size_t>(triangle.Cell);
+    if (this->Large[cell] || cell < this->CellShare[0] || cell >= this->CellShare[1])
     {
       return;
     }
@@ -592,7 +599,8 @@ private:
   {
     std::vector<vtkIdType> points; // of Places
     this->Places->Reset();
-    for (vtkIdType point = 0; point < this->Mesh->GetNumberOfPoints(); ++point)
+    const auto end = static_cast<vtkIdType>(this->PointShare[1]);
+    for (auto point = static_cast<vtkIdType>(this->PointShare[0]); point < end; ++point)
     {
       const double* place = this->PointPlaces->GetPointer(2 * point);
       const State state = this->GetState(point);
@@ -608,7 +616,7 @@ private:
           points.push_back(point);
         }
       }
-      const bool last = point + 1 == this->Mesh->GetNumberOfPoints();
+      const bool last = point + 1 == end;
       if (!points.empty() && (last || static_cast<vtkIdType>(points.size()) >= RaysOfABatch))
       {
         if (!this->Trace())
@@ -698,6 +706,14 @@ void vtkRelievoVisibility::RemoveAllCameras()
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoCameraModel* vtkRelievoVisibility::GetCamera(int i)
+{
+  return i < 0 || i >= this->GetNumberOfCameras()
+    ? nullptr
+    : this->Cameras[static_cast<std::size_t>(i)].Get();
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoVisibility::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -732,6 +748,8 @@ int vtkRelievoVisibility::RequestData(
   vtkPolyData* cloud = vtkPolyData::GetData(outputs, 1);
   const vtkSmartPointer<vtkRelievoRayScene> scene = MakeScene(inputs);
   Sight sight(mesh, scene);
+  sight.CellShare = this->GetShare(sight.Pixels.size());
+  sight.PointShare = this->GetShare(sight.PointsSeen.size());
   if (this->Cloud)
   {
     PrepareCloud(cloud);

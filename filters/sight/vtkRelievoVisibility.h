@@ -47,6 +47,7 @@ public:
   /** The cameras, which define the viewpoints and pictures. */
   void AddCamera(vtkRelievoCameraModel* camera);
   void RemoveAllCameras();
+  vtkRelievoCameraModel* GetCamera(int i);
   int GetNumberOfCameras() { return static_cast<int>(this->Cameras.size()); }
   ///@}
 

@@ -18,6 +18,7 @@
 #include "vtkPVRelievoSun.h"
 #include "vtkRelievoCaves.h"
 #include "vtkRelievoColormaps.h"
+#include "vtkRelievoCover.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoEnvironmentConvert.h"
 #include "vtkRelievoEnvironmentIrradiance.h"
@@ -553,6 +554,7 @@ std::map<std::string, std::string> MakeAll()
   vtkNew<vtkRelievoSunExposure> exposure;
   exposure->SetUpAxis(2);
   addFilter("sun exposure", exposure);
+  addFilter("cover", vtkNew<vtkRelievoCover>());
   return made;
 }
 }

@@ -118,13 +118,14 @@ from ._frame import report, vtkRelievoPass
 from ._image import attributes, from_image, layer, layer_names, to_image
 from ._keep import attach, detach
 from ._layers import layers
+from ._parts import Part, merge, parts, verify
 from ._picture import picture, write_png
 from ._points import depth_to_points
 from ._rays import rays
 from ._scale_bar import scale_bar
 from ._scene import scene
 from ._show import show
-from ._sight import flow, moment, sun_exposure, visible
+from ._sight import cover, flow, moment, sun_exposure, visible
 from ._stages import stage, stages
 from ._things import functions as _functions
 from ._vtkmodules import provide_vtkmodules
@@ -142,6 +143,7 @@ __all__ = [
     "Fisheye",
     "Lidar",
     "Orthographic",
+    "Part",
     "Pinhole",
     "Pushbroom",
     "attach",
@@ -149,6 +151,7 @@ __all__ = [
     "camera",
     "capture",
     "compare",
+    "cover",
     "depth_to_points",
     "detach",
     "environment",
@@ -160,7 +163,9 @@ __all__ = [
     "layer_names",
     "layers",
     "lens",
+    "merge",
     "moment",
+    "parts",
     "picture",
     "provide_vtkmodules",
     "rays",
@@ -174,6 +179,7 @@ __all__ = [
     "stages",
     "sun_exposure",
     "to_image",
+    "verify",
     "visible",
     "vtkRelievoPass",
     "write_baseline",

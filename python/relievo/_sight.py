@@ -7,6 +7,7 @@ import inspect
 
 import numpy
 from .vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from .vtk.vtkCommonCore import vtkPoints
 from .vtk.vtkCommonDataModel import vtkImageData, vtkPolyData
 from .vtk.vtkCommonExecutionModel import vtkAlgorithm
 from .vtk.vtkFiltersCore import vtkAppendPolyData
@@ -19,6 +20,7 @@ from ._parameters import bind, defaults_of, describe_all, keywords, keywords_of,
 from ._rays import rays
 from ._renderers import inner_renderer, outwards, prop_of
 from .vtkRelievoFilters import (
+    vtkRelievoCover,
     vtkRelievoFlow,
     vtkRelievoRayLayers,
     vtkRelievoSunExposure,
@@ -254,6 +256,95 @@ occluders: other data that shade it, one or a list.
 Returns vtkPolyData with the arrays sun_hours, insolation (hours times the cosine between the
 sun and the normal) and sky_view (share of a uniform sky's light, 0 to 1), and the field data
 possible_hours. Raises ValueError for wrong arguments.
+"""
+
+
+_OF_COVER = keywords_of(vtkRelievoCover(), {}, without=("number_of_places", "weights"))
+_COVER_SIGNATURE = inspect.Signature(
+    keywords(dict.fromkeys(("mesh", "candidates", "k"), inspect.Parameter.empty))
+    + keywords({"occluders": (), "directions": None, "weights": None,
+                **defaults_of(vtkRelievoCover(), _OF_COVER)}),
+    return_annotation=tuple,
+)  # fmt: skip
+
+
+def cover(*arguments, **given):
+    bound = bind("cover", _COVER_SIGNATURE, arguments, given)
+    bound.apply_defaults()
+    given = bound.arguments
+    filter_ = vtkRelievoCover()
+    for keyword, name in {"k": "number_of_places", **_OF_COVER}.items():
+        set_value("cover", filter_, name, given[keyword], keyword)
+    _give(filter_, given["mesh"], given["occluders"])
+    if given["weights"] is not None:
+        mesh = _copy(filter_.GetInputDataObject(0, 0))
+        weights = numpy.asarray(given["weights"], float)
+        if weights.shape != (mesh.GetNumberOfCells(),):
+            raise ValueError(f"weights: got an array of shape {weights.shape}, expected one number "
+                             f"for each of {mesh.GetNumberOfCells()} cells")
+        _add(mesh.GetCellData(), _WEIGHTS, weights)
+        filter_.SetInputDataObject(0, mesh)
+        filter_.SetWeights(_WEIGHTS)
+    filter_.SetInputDataObject(2, _candidates(given["candidates"], given["directions"]))
+    _run(filter_, "cover")
+    covered, places = (_copy(filter_.GetOutput(port)) for port in (0, 1))
+    covered.GetCellData().RemoveArray(_WEIGHTS)
+    return covered, places
+
+
+_WEIGHTS = "relievo:weights"
+
+
+def _candidates(places, directions):
+    """Points with directions as vectors."""
+    if not hasattr(places, "__array__") and not isinstance(places, (list, tuple)):
+        data = need_data(places, "candidates")
+    else:
+        data = vtkPolyData()
+        data.SetPoints(vtkPoints())
+        data.GetPoints().SetData(numpy_to_vtk(_vectors("candidates", places), deep=True))
+    if directions is not None:
+        given = _vectors("directions", directions)
+        if len(given) != data.GetNumberOfPoints():
+            raise ValueError(f"directions: got {len(given)}, expected one for each of "
+                             f"{data.GetNumberOfPoints()} candidates")
+        copy = data.NewInstance()
+        copy.ShallowCopy(data)
+        vectors = numpy_to_vtk(given, deep=True)
+        vectors.SetName("relievo:directions")
+        copy.GetPointData().SetVectors(vectors)
+        data = copy
+    return data
+
+
+def _vectors(name, values):
+    values = numpy.ascontiguousarray(values, float)
+    if values.ndim != 2 or values.shape[1] != 3:
+        raise ValueError(f"{name}: got an array of shape {values.shape}, expected (n, 3)")
+    return values
+
+
+cover.__signature__ = _COVER_SIGNATURE  # type: ignore[attr-defined]
+cover.__doc__ = f"""Chooses k of many candidate places, from which most of a mesh is seen.
+
+    site, cameras = relievo.cover(site, numpy.array(poles), 6, farthest_distance=40)
+    share = site.GetFieldData().GetArray("share").GetValue(0)
+
+mesh: a dataset or a filter that makes one; data other than polygons count by their outer
+    surface. A cell counts by its area.
+candidates: an array (n, 3) of places, or a dataset whose points they are.
+k: how many to choose, from 1.
+occluders: other data that occlude the mesh, one or a list.
+directions: an array (n, 3) of directions in which the candidates look; None: they look
+    everywhere, or along the vectors of the dataset.
+weights: one number for each cell, by which its area counts; None: 1.
+{describe_all(vtkRelievoCover(), _OF_COVER)}
+
+Returns two vtkPolyData: the mesh with the cell arrays covered (number of chosen places that see
+a cell) and candidates (number of candidates that see it), and the field data share (of the
+weight that is covered), reachable (by all candidates) and bound (no choice of k places covers a
+larger share); and the chosen places with the arrays candidate, gain and share. Raises ValueError
+for wrong arguments.
 """
 
 

@@ -6,6 +6,7 @@ and refused words."""
 import filecmp
 import json
 import os
+import random
 import shutil
 import signal
 import subprocess
@@ -144,6 +145,51 @@ class Dataset(CliTest):
         self.check_same("whole", "shared")
         self.refused_in("whole", *words[:2], "--seed", "4", "--format", "coco",
                         says=["whole: was begun with", "give another folder"])  # fmt: skip
+        self.check_parts(command[4:-1])
+
+    def check_parts(self, words):
+        """The views in parts, some of them ended by a signal; then with damaged files."""
+        draw = random.Random(45)
+        count = draw.randint(3, 5)
+        parts = draw.sample(range(1, count + 1), count)
+        for part in parts:
+            given = [RELIEVO, "dataset", "near.off", "far.off", *words, "--out", "parts", "--part",
+                     f"{part}/{count}"]  # fmt: skip
+            if part == parts[1]:
+                killed = subprocess.Popen(given, cwd=self.folder, stdout=subprocess.DEVNULL)
+                time.sleep(draw.random())
+                killed.send_signal(signal.SIGKILL)
+                killed.wait()
+            done = subprocess.run(given, cwd=self.folder, text=True, check=True,
+                                  stdout=subprocess.PIPE)  # fmt: skip
+            self.assertIn(f"parts: part {part} of {count}: ", done.stdout)
+        self.assertFalse((self.folder / "parts" / "instances.json").exists())
+        self.assertIn("instances.json is missing", self.verify())
+        record, picture = (self.folder / "parts" / name
+                           for name in ("views/000002.json", "images/000007.png"))  # fmt: skip
+        kept = record.read_bytes()
+        record.unlink()
+        picture.write_bytes(picture.read_bytes()[:-1])
+        said = self.verify()
+        self.assertIn("10 of 12 views complete\n  1 missing: 2\n  1 damaged: 7 (images/000007.png)",
+                      said)  # fmt: skip
+        self.relievo("merge", "parts", status=1)
+        changed = {**json.loads(kept), "version": "0.0.1"}
+        record.write_text(json.dumps(changed))
+        self.assertIn("1 of another version or other settings: 2", self.verify())
+        changed["files"] = {"../near.off": "0" * 32}
+        record.write_text(json.dumps(changed))
+        self.assertIn("2 (../near.off)", self.verify())
+        record.write_text("[")
+        self.assertIn("2 (its record)", self.verify())
+        record.unlink()
+        self.dataset("parts", *words[len(SMALL):], "--part", "1/1")
+        self.relievo("merge", "parts")
+        self.relievo("verify", "parts")
+        self.check_same("whole", "parts")
+
+    def verify(self):
+        return self.relievo("verify", "parts", status=3).stdout
 
     def refused_in(self, out, *words, says):
         done = self.dataset(out, *words, status=2)

@@ -18,7 +18,8 @@ HELP = subprocess.run(
 WORDS = subprocess.run(
     [RELIEVO, "--words"], stdout=subprocess.PIPE, text=True, check=True
 ).stdout
-VERBS = ("render", "compare", "dataset", "visible", "sun", "cave", "bench")
+VERBS = ("render", "compare", "dataset", "visible", "sun", "cover", "merge", "verify", "status",
+         "cave", "bench")  # fmt: skip
 DOCS = pathlib.Path(COMPLETION).parents[3] / "docs"
 
 # A substitute for the parts of bash-completion that complete files and colons.
@@ -33,7 +34,7 @@ compopt() { :; }
 
 def options_of(verb):
     """Each option of that part of the help, with its text."""
-    end = "(?=^(?:compare|dataset|visible|sun|cave|stages|bench|Options) )"
+    end = f"(?=^(?:{'|'.join(VERBS)}|stages|Options) )"
     part = re.search(rf"^{verb} (?:.|\n)*?{end}", HELP, re.M).group()
     found = re.split(r"^  (--?[a-z][a-z-]*)", part, flags=re.M)[1:]
     return dict(zip(found[::2], found[1::2]))
@@ -130,7 +131,7 @@ class Completion(unittest.TestCase):
 
     def test_first_word(self):
         self.assertEqual(complete("re"), ["render"])
-        self.assertEqual(complete("s"), ["sun", "stages"])
+        self.assertEqual(complete("s"), ["sun", "status", "stages"])
         self.assertEqual(set(complete("")), {*VERBS, "stages", "--help", "--version"})
         self.assertEqual(complete("stages", ""), [])
 
@@ -148,6 +149,7 @@ class Pages(unittest.TestCase):
             ("render", page.split("## Options")[1]),
             ("visible", page.split("| option of `visible` |")[1]),
             ("sun", page.split("| option of `sun` |")[1]),
+            ("cover", page.split("| option of `cover` |")[1]),
             ("dataset", (DOCS / "datasets.md").read_text("utf-8").split("## Options")[1]),
             ("compare", (DOCS / "compare.md").read_text("utf-8").split("| option of")[1]),
             ("cave", (DOCS / "caves.md").read_text("utf-8").split("## Settings")[1]),

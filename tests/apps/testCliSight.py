@@ -4,6 +4,8 @@
 
 import json
 import math
+import random
+import shutil
 
 import numpy
 from cli import CliTest, main
@@ -51,6 +53,64 @@ class Sight(CliTest):
         self.assertEqual(self.names(), sorted([*self.before, "sun.vtp"]))
         # Readable beside every expat, by any VTK.
         self.assertNotIn(b"<AppendedData", (self.folder / "sun.vtp").read_bytes())
+
+    def test_parts(self):
+        """Joined parts are the file of one process, for a drawn number of parts in drawn orders."""
+        draw = random.Random(45)
+        grid = 9
+        points = [f"{i % grid} {i * 7 % 4 / 4} {i // grid}" for i in range(grid * grid)]
+        quads = [f"4 {i} {i + grid} {i + grid + 1} {i + 1}" for i in range(grid * (grid - 1))
+                 if i % grid < grid - 1]  # fmt: skip
+        (self.folder / "hills.off").write_text(
+            "\n".join(["OFF", f"{len(points)} {len(quads)} 0", *points, *quads, ""]))
+        works = (
+            ["sun", "hills.off", *SUN, "--up", "y", "--step", "60", "--sky", "4"],
+            ["sun", "hills.off", *SUN, "--up", "y", "--step", "60", "--points"],
+            ["visible", "hills.off", "--poses", "random:3", "--size", "12x9"],
+        )
+        for work, count in zip(works, (draw.randint(2, 5), draw.randint(2, 17), 3)):
+            with self.subTest(work, count=count):
+                self.relievo(*work, "-o", "whole.vtp")
+                folder = self.folder / "shared.vtp.parts"
+                for part in draw.sample(range(1, count + 1), count):
+                    self.relievo(*work, "-o", "shared.vtp", "--part", f"{part}/{count}")
+                self.assertIn("shared.vtp is missing", self.verify(folder.name))
+                damaged = folder / f"part-{draw.randint(1, count):06d}.bin"
+                values = damaged.read_bytes()
+                damaged.write_bytes(values[:-1] + bytes([values[-1] ^ 1]))
+                self.assertIn(f"1 damaged: {int(damaged.stem[5:])} ({damaged.name})",
+                              self.verify(folder.name))  # fmt: skip
+                self.relievo("merge", folder.name, status=1)
+                self.assertFalse((self.folder / "shared.vtp").exists())
+                again = ["-o", "shared.vtp", "--part", f"{int(damaged.stem[5:])}/{count}"]
+                self.assertIn("written", self.relievo(*work, *again).stdout)
+                self.assertIn("is complete", self.relievo(*work, *again).stdout)
+                self.relievo("merge", f"{folder.name}/")
+                self.assertEqual((self.folder / "shared.vtp").read_bytes(),
+                                 (self.folder / "whole.vtp").read_bytes())  # fmt: skip
+                self.relievo("verify", folder.name)
+                other = self.relievo(*work, "-o", "shared.vtp", "--part", f"1/{count + 1}",
+                                     status=2)  # fmt: skip
+                self.assertIn(f"was begun with parts {count}", other.stderr)
+                other = self.relievo(*work, "roof.off", "-o", "shared.vtp", "--part", f"1/{count}",
+                                     status=2)  # fmt: skip
+                self.assertIn("was begun with meshes", other.stderr)
+                shutil.rmtree(folder)
+                (self.folder / "shared.vtp").unlink()
+
+    def verify(self, folder):
+        return self.relievo("verify", folder, status=3).stdout
+
+    def test_a_job_array(self):
+        for task in (10, 14, 12):  # parts 1, 3, 2
+            array = {"TASK_ID": task, "TASK_MIN": 10, "TASK_MAX": 14, "TASK_STEP": 2}
+            self.relievo("sun", "ground.off", *SUN, "-o", "sun.vtp", "--part", "slurm",
+                         environment={f"SLURM_ARRAY_{name}": str(value)
+                                      for name, value in array.items()})  # fmt: skip
+        said = self.relievo("status", "sun.vtp.parts").stdout
+        self.assertIn("part 3 of 3: 100 of 100 %, done", said)
+        self.relievo("merge", "sun.vtp.parts")
+        self.assertFalse((self.folder / "sun.vtp.parts" / "progress").exists())
 
     def test_sun_options(self):
         self.sun(*SUN, "--up=y")
@@ -165,6 +225,13 @@ class Sight(CliTest):
             (["visible", "ground.off", *out, *look, "--lens", "orthographic"], "orthographic:100"),
             (["visible", "ground.off", *out, *look, "--cloud", "c.png"], ["--cloud", "'c.png'"]),
             (["visible", "ground.off", *out, *look, "--fog", "1"], "--fog"),
+            (["visible", "ground.off", *out, *look, "--cloud", "c.vtp", "--part", "1/2"],
+             "--cloud"),
+            *((["sun", "ground.off", *out, *SUN, "--part", part], ["--part", expected])
+              for part, expected in (("3", "K/N"), ("0/2", "from 1 to 2"), ("3/2", "from 1 to 2"),
+                                     ("slurm", "SLURM_ARRAY_TASK_ID"))),
+            (["merge", "nothing"], "nothing: has neither dataset.json nor parts.json"),
+            (["verify"], "verify: got 0 folders, expected one"),
         ):  # fmt: skip
             with self.subTest(words=words):
                 self.refused(*words, status=2, says=says)

@@ -28,6 +28,7 @@ FILTERS = {
     "BoneWeights": [],
     "SurfaceParticles": ["Place"],
     "SunExposure": ["UpAxis"],
+    "Cover": [],
     "Visibility": [],
 }
 SOURCES = ["Caves"]
@@ -163,6 +164,24 @@ output.VTKObject.SetPolys(cells)
         # At midsummer it is south of east and west while cos(hour) > tan(declination) / tan(40).
         half = numpy.arccos(numpy.tan(numpy.radians(23.44)) / numpy.tan(numpy.radians(40)))
         self.assertAlmostEqual(found("sun_hours")[0], 24 / numpy.pi * half, delta=0.35)
+
+    def test_cover(self):
+        """Of two places, the one in front of the larger of two plates, then both."""
+        plates = simple.AppendGeometry(Input=[
+            simple.Plane(Origin=[0, 0, 0], Point1=[1, 0, 0], Point2=[0, 1, 0]),
+            simple.Plane(Origin=[5, 0, 0], Point1=[7, 0, 0], Point2=[5, 1, 0]),
+        ])  # fmt: skip
+        places = simple.Line(Point1=[0.5, 0.5, 1], Point2=[6, 0.5, 1], Resolution=1)
+        cover = simple.Cover(Input=plates, Candidates=places, NumberOfPlaces=1, LargestAngle=45.0)
+        cover.UpdatePipeline()
+        chosen = cover.GetClientSideObject().GetOutputDataObject(1)
+        self.assertEqual(chosen.GetNumberOfPoints(), 1)
+        self.assertEqual(chosen.GetPoint(0), (6, 0.5, 1))
+        share = servermanager.Fetch(cover).GetFieldData().GetArray("share").GetValue(0)
+        self.assertAlmostEqual(share, 2 / 3)
+        cover.NumberOfPlaces = 2
+        covered = servermanager.Fetch(cover).GetCellData().GetArray("covered")
+        self.assertEqual([covered.GetValue(i) for i in (0, 1)], [1, 1])
 
     def test_sun_exposure_takes_the_views_up(self):
         """At first, but where the mesh is low."""

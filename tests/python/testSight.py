@@ -2,6 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sensors by rays: compared with frames, closed forms and separate projections."""
 
+import concurrent.futures
+import itertools
+import pathlib
+import pickle
+import shlex
+import tempfile
 import unittest
 
 import numpy
@@ -1496,6 +1502,145 @@ class OwnShaders(unittest.TestCase):
                 self.assertLess(numpy.abs(layers["range"] - away)[seen].max(), 1e-5)
             actor.GetShaderProperty().ClearAllVertexShaderReplacements()
             straight.VisibilityOff()
+
+
+class Cover(unittest.TestCase):
+    def scene(self, draw):
+        """Level tiles in z = 0 and walls between them, as quads of a mesh; candidates."""
+        walls = []
+        for _ in range(3):
+            x, y = draw.uniform(0.5, 3.5, 2)
+            along = draw.uniform(-1, 1, 2)
+            walls.append([(x, y, 0.01), (x + along[0], y + along[1], 0.01),
+                          (x + along[0], y + along[1], 1), (x, y, 1)])  # fmt: skip
+        tiles = [[(i + a, j + b, 0) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                 for i in range(4) for j in range(4)]  # fmt: skip
+        corners = numpy.array(tiles + walls, float)
+        mesh = vtkPolyData()
+        mesh.SetPoints(vtkPoints())
+        mesh.GetPoints().SetData(numpy_to_vtk(corners.reshape(-1, 3), deep=True))
+        cells = vtkCellArray()
+        for i in range(len(corners)):
+            cells.InsertNextCell(4, range(4 * i, 4 * i + 4))
+        mesh.SetPolys(cells)
+        places = numpy.column_stack([draw.uniform(0, 4, (12, 2)), draw.uniform(0.2, 2, 12)])
+        return mesh, corners, places
+
+    def free(self, corners, place, at, own):
+        """Whether no wall lies between a candidate and a point of quad `own`, by planes."""
+        for quad in range(16, len(corners)):
+            if quad == own:
+                continue
+            a, b, _, d = corners[quad]
+            normal = numpy.cross(b - a, d - a)
+            down = (place - at) @ normal
+            share = (a - at) @ normal / down if down else -1
+            u, v = ((at + share * (place - at) - a) @ side / (side @ side)
+                    for side in (b - a, d - a))  # fmt: skip
+            if 0 < share < 1 and 0 < u < 1 and 0 < v < 1:
+                return False
+        return place[2] > 0
+
+    def test_brute_force(self):
+        """All choices of places, with visibility by planes: the guarantee, the bound, counts."""
+        draw = numpy.random.default_rng(4)
+        best_of_all = []
+        for number in range(30):
+            mesh, corners, places = self.scene(draw)
+            times, k = 1 + number % 2, 1 + number % 3
+            weights = draw.uniform(0, 1, len(corners))
+            covered, chosen = relievo.cover(mesh, places, k, times=times, weights=weights)
+            middles = corners.mean(1)
+            seen = numpy.array([[self.free(corners, place, at, own)
+                                 for own, at in enumerate(middles)] for place in places])  # fmt: skip
+            found = vtk_to_numpy(covered.GetCellData().GetArray("candidates"))
+            numpy.testing.assert_array_equal(found, seen.sum(0))
+            area = numpy.linalg.norm(numpy.cross(corners[:, 1] - corners[:, 0],
+                                                 corners[:, 3] - corners[:, 0]), axis=1)  # fmt: skip
+            area *= weights
+            total = area.sum() * times
+
+            def share(some):
+                return (area * numpy.minimum(seen[list(some)].sum(0), times)).sum() / total
+
+            best = max(share(some) for some in itertools.combinations(range(12), k))
+            picked = vtk_to_numpy(chosen.GetPointData().GetArray("candidate"))
+            got, bound, reach = (covered.GetFieldData().GetArray(name).GetValue(0)
+                                 for name in ("share", "bound", "reachable"))  # fmt: skip
+            self.assertAlmostEqual(got, share(picked), delta=1e-12)
+            self.assertAlmostEqual(reach, share(range(12)), delta=1e-12)
+            self.assertGreaterEqual(got, (1 - 1 / numpy.e) * best)
+            self.assertGreaterEqual(bound, best - 1e-12)
+            self.assertLessEqual(bound, reach + 1e-12)
+            if k == 1:
+                self.assertAlmostEqual(got, best, delta=1e-12)
+            best_of_all.append(got / best)
+        self.assertGreater(numpy.mean(best_of_all), 0.98)
+
+    def test_limits(self):
+        """Distances, angles, cones and resolution of which the closed form is known."""
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-50, -50, 0)
+        plane.SetPoint1(50, -50, 0)
+        plane.SetPoint2(-50, 50, 0)
+        plane.SetResolution(200, 200)
+        middle = (numpy.arange(200) + 0.5) / 2 - 50
+        x, y = numpy.meshgrid(middle, middle)
+        height = 10
+        away = numpy.sqrt(x**2 + y**2 + height**2)
+        cosine = height / away
+        aside = numpy.array([1, 0, -1]) / numpy.sqrt(2)
+        to = numpy.stack([x, y, -height * numpy.ones_like(x)], -1) / away[..., None]
+        for given, expected in (
+            ({"farthest_distance": 20}, away <= 20),
+            ({"largest_angle": 30}, cosine >= numpy.cos(numpy.radians(30))),
+            ({"view_angle": 50, "directions": [aside]}, to @ aside >= numpy.cos(numpy.radians(25))),
+            ({"resolution": 40, "focal_length": 500}, 500 * cosine / away >= 40),
+        ):
+            for z in (height, -height):  # from either side
+                if z < 0 and "directions" in given:
+                    continue
+                with self.subTest(given, z=z):
+                    covered, _ = relievo.cover(plane, [(0, 0, z)], 1, **given)
+                    found = vtk_to_numpy(covered.GetCellData().GetArray("covered"))
+                    numpy.testing.assert_array_equal(found.reshape(200, 200) > 0, expected)
+        for given in ({"k": 0}, {"view_angle": 90}, {"candidates": [(0, 0)]}, {"weights": [1]},
+                      {"candidates": numpy.empty((0, 3))}, {"directions": numpy.ones((2, 3))},
+                      {"weights": -numpy.ones(40000)}):  # fmt: skip
+            with self.subTest(given), self.assertRaises(ValueError):
+                relievo.cover(**{"mesh": plane, "candidates": [(0, 0, 1)], "k": 1, **given})
+
+
+class Parts(unittest.TestCase):
+    def test_parts(self):
+        """Pickled parts, in threads, make the file of one process; wrong arguments are refused."""
+        with tempfile.TemporaryDirectory() as folder:
+            ground = pathlib.Path(folder, "a ground.off")
+            ground.write_text("OFF\n6 2 0\n-2 0 -1\n-2 0 1\n0 0 1\n0 0 -1\n2 0 1\n2 0 -1\n"
+                              "4 0 1 2 3\n4 3 2 4 5\n")  # fmt: skip
+            job = ["sun", ground, "--place", "40,10", "--dates", "2026-03-20", "-o"]
+            whole, shared = (pathlib.Path(folder, name) for name in ("whole.vtp", "shared.vtp"))
+            relievo.parts([*job, whole], 1)[0]()
+            self.assertEqual(relievo.merge(f"{whole}.parts"), str(whole))
+            parts = relievo.parts(shlex.join(map(str, [*job, shared])), 3)
+            first = pickle.loads(pickle.dumps(parts[0]))
+            self.assertEqual(sorted(pathlib.Path(path).name for path in first()),
+                             ["mesh.vtp", "part-000001.bin", "part-000001.json"])  # fmt: skip
+            self.assertIn("2 missing: 2, 3", relievo.verify(parts))
+            with self.assertRaisesRegex(RuntimeError, "1 of 3 parts complete"):
+                relievo.merge(parts)
+            with concurrent.futures.ThreadPoolExecutor(2) as pool:
+                list(pool.map(relievo.Part.__call__, parts))
+            self.assertEqual(relievo.merge(parts), str(shared))
+            self.assertEqual(relievo.verify(parts), "")
+            self.assertEqual(shared.read_bytes(), whole.read_bytes())
+            with self.assertRaisesRegex(ValueError, "--place"):
+                relievo.parts(["sun", str(ground), "-o", "none.vtp"], 2)[0]()
+            for given in (("render a.off --png a.png", 2), ("sun a.off", 2), ([*job, shared], 0)):
+                with self.assertRaises(ValueError):
+                    relievo.parts(*given)
+            with self.assertRaises(ValueError):
+                relievo.merge([1])
 
 
 if __name__ == "__main__":

@@ -97,6 +97,11 @@ void Command::AddMeshOptions(const std::string& extension)
     [this](const std::string& value) { this->AllowedFolders.push_back(value); });
   folders.Files = "/";
   folders.Repeats = true;
+}
+
+//------------------------------------------------------------------------------
+void Command::AddUpOption()
+{
   const std::vector<std::string> axes = { "x", "y", "z" };
   this
     ->Add("--up AXIS",
@@ -105,6 +110,27 @@ void Command::AddMeshOptions(const std::string& extension)
         this->Up = static_cast<int>(scene::ParseChoice("--up", value, axes));
       })
     .Words = axes;
+}
+
+//------------------------------------------------------------------------------
+void Command::AddPartOption(const std::string& items)
+{
+  this
+    ->Add("--part K/N",
+      "computes only part K of N, equal shares of the " + items +
+        ", as one of several processes; relievo merge joins the parts. slurm takes K and N from "
+        "the variables of a job array (all)",
+      [this](const std::string& value) {
+        this->Part = scene::WorkPart::Parse("--part", value);
+        this->IsPart = true;
+      })
+    .Words = { "slurm" };
+}
+
+//------------------------------------------------------------------------------
+std::string Command::GetWords() const
+{
+  return scene::Join(this->Given, " ");
 }
 
 //------------------------------------------------------------------------------
@@ -142,7 +168,18 @@ std::string Command::NameOptions(const std::string& text) const
 //------------------------------------------------------------------------------
 std::set<std::string> Command::Take(const std::vector<std::string>& words)
 {
-  const vtkRelievoCommand command = this->DescribeAll();
+  static const std::set<std::string> apart = { "-o", "--out", "--part", "--allow-folder" };
+  vtkRelievoCommand command = this->DescribeAll();
+  for (vtkRelievoOption& option : command.Options)
+  {
+    if (apart.count(option.Name) == 0)
+    {
+      option.Take = [this, option](const std::string& value) {
+        this->Given.push_back(option.IsFlag() ? option.Name : option.Name + "=" + value);
+        return option.Take(value);
+      };
+    }
+  }
   std::set<std::string> given =
     scene::TakeArguments(words, command, [this](const std::string& word) {
       if (this->Rows.Use.empty())

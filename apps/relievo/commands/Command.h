@@ -3,6 +3,8 @@
 #ifndef Command_h
 #define Command_h
 
+#include "WorkPart.h"
+
 #include "vtkRelievoOption.h"
 
 #include <functional>
@@ -50,9 +52,17 @@ protected:
   /// Adds an option for an output file with the extension at the end of its use: "-o FILE.vtp".
   vtkRelievoOption& AddOutput(const std::string& use, const std::string& help, std::string& file);
 
-  /// Adds the options of commands that read meshes: -o, --allow-folder and --up, which is -1 if it
-  /// is not given.
+  /// Adds the options of commands that read meshes: -o and --allow-folder.
   void AddMeshOptions(const std::string& extension);
+
+  /// Adds --up, whose value is -1 if it is not given.
+  void AddUpOption();
+
+  /// Adds --part, for work that several processes share.
+  void AddPartOption(const std::string& items);
+
+  /// The given options as words, without those of outputs and of parts.
+  std::string GetWords() const;
 
   /// Adds the parameters of a filter, in their order. `uses` replaces the default of a parameter's
   /// option ("--day-step N"); "" omits the parameter.
@@ -71,8 +81,11 @@ protected:
   std::vector<std::string> AllowedFolders;
   std::string File; ///< value of -o
   int Up = -1;
+  scene::WorkPart Part; ///< value of --part
+  bool IsPart = false;  ///< whether it is given
 
 private:
+  std::vector<std::string> Given;              // options, as words
   std::map<std::string, std::string> OptionOf; // by the parameter's name in methods
 };
 
@@ -81,10 +94,14 @@ private:
 std::unique_ptr<Command> MakeBench();
 std::unique_ptr<Command> MakeCave();
 std::unique_ptr<Command> MakeCompare();
+std::unique_ptr<Command> MakeCover();
 std::unique_ptr<Command> MakeDataset();
+std::unique_ptr<Command> MakeMerge();
 std::unique_ptr<Command> MakeRender();
 std::unique_ptr<Command> MakeStages();
+std::unique_ptr<Command> MakeStatus();
 std::unique_ptr<Command> MakeSun();
+std::unique_ptr<Command> MakeVerify();
 std::unique_ptr<Command> MakeVisible();
 ///@}
 }

@@ -128,6 +128,7 @@ public:
     this->AddParameters(this->Writer->GetParameters(),
       { { "format", "--format FORMAT" }, { "depth_step", "--depth-step S" },
         { "mm_per_unit", "--mm-per-unit M" }, { "up", "" } });
+    this->AddPartOption("views");
     this->Add("--views A:B",
       "draws only the views from A to B - 1, as one of several processes (all)",
       [this](const std::string& value) { this->TakeRange(value); });
@@ -139,7 +140,7 @@ public:
     vtkRelievoCommand all = this->Rows;
     for (vtkRelievoOption& option : all.Options)
     {
-      if (option.Name != "--out" && option.Name != "--views")
+      if (option.Name != "--out" && option.Name != "--views" && option.Name != "--part")
       {
         option.Take = [this, option](const std::string& value) {
           this->Words.push_back(option.IsFlag() ? option.Name : option.Name + "=" + value);
@@ -179,6 +180,7 @@ public:
     writer->SetDirectory(this->Folder);
     writer->SetUpAxis(scene->GetUpAxis());
     writer->SetRange(this->Range[0], this->Range[1]);
+    writer->SetPart(this->Part.Number, this->Part.Count);
     writer->SetDescription(scene::Join(this->Words, " "));
     NameObjects(writer, scene, this->Objects);
     this->AddViews();
@@ -189,8 +191,10 @@ public:
       const bool done = writer->Write();
       CheckDone(done, writer->GetFailure(), writer->GetFailureText());
     }
-    std::printf("%s: %d of %d views written", this->Folder.c_str(),
-      writer->GetNumberOfViewsWritten(), writer->GetNumberOfViews());
+    const std::string part = this->IsPart ? ": " + this->Part.GetText() : "";
+    const auto share = this->Part.GetRange(writer->GetNumberOfViews());
+    std::printf("%s%s: %d of %d views written", this->Folder.c_str(), part.c_str(),
+      writer->GetNumberOfViewsWritten(), static_cast<int>(share[1] - share[0]));
     if (writer->GetNumberOfViewsKept() > 0)
     {
       std::printf(", %d were there", writer->GetNumberOfViewsKept());

@@ -31,6 +31,9 @@ Examples
   relievo dataset mug.obj table.stl --poses random:500 --seed 7 --random-sun --out train/000000
   relievo visible bunny.off --poses orbit:24 -o seen.vtp
   relievo sun town.obj --place 48.2,16.4 --dates 2026-06-21 --sky 256 -o sun.vtp
+  relievo sun town.obj --place 48.2,16.4 --dates 2026-06-21 -o sun.vtp --part 3/8
+  relievo merge sun.vtp.parts
+  relievo cover site.obj --candidates masts.ply --places 6 -o covered.vtp --chosen cameras.vtp
   relievo render sun.vtp --color-by sun_hours --scalar-bar --png sun.png
   relievo cave --size 256x128x256 --seed 7 -o cave.vti
   relievo bench normals --out charts
@@ -42,8 +45,8 @@ Examples
 Commands MakeCommands()
 {
   Commands all;
-  for (const auto& make :
-    { MakeRender, MakeCompare, MakeDataset, MakeVisible, MakeSun, MakeCave, MakeStages, MakeBench })
+  for (const auto& make : { MakeRender, MakeCompare, MakeDataset, MakeVisible, MakeSun, MakeCover,
+         MakeMerge, MakeVerify, MakeStatus, MakeCave, MakeStages, MakeBench })
   {
     all.push_back(make());
   }

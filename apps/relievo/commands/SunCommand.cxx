@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
 #include "Errors.h"
+#include "MeshParts.h"
 #include "Messages.h"
 #include "Outputs.h"
 #include "Progress.h"
@@ -45,9 +46,11 @@ public:
         [this](const std::string& value) { this->TakeDates(value); })
       .Missing = "no dates; give --dates FIRST[:LAST[:EVERY]]";
     this->AddMeshOptions(".vtp");
+    this->AddUpOption();
     this->AddParameters(this->Sun->GetParameters(),
       { { "latitude", "" }, { "longitude", "" }, { "day_step", "" }, { "step", "--step MINUTES" },
         { "up_axis", "" }, { "sky_samples", "--sky N" } });
+    this->AddPartOption("cells");
   }
 
   int Run(const std::vector<std::string>& words) override
@@ -57,12 +60,22 @@ public:
     scene::Outputs outputs;
     outputs.Add("-o", this->File, this->Names);
     scene::Progress progress;
+    MeshParts parts(MeshParts::GetFolder(this->File));
     const int up = ReadMeshes(this->Names, this->AllowedFolders, this->Sun, progress);
     this->Sun->SetUpAxis(this->Up < 0 ? up : this->Up);
+    if (this->IsPart && !parts.Begin(this->Rows.Name, this->GetWords(), this->Sun, this->Part))
+    {
+      return 0;
+    }
     progress.Begin("following the sun");
     progress.Observe(this->Sun);
     this->Sun->Update();
     scene::Messages::Check("sun");
+    if (this->IsPart)
+    {
+      parts.End(this->Sun, this->Part, progress);
+      return 0;
+    }
     WriteMesh(this->Sun->GetOutput(), "-o", this->File, outputs, progress);
     outputs.Commit();
     progress.End();

@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
+#include "DatasetFormats.h"
 #include "DatasetPoses.h"
+#include "Errors.h"
+#include "FileHash.h"
 #include "Lens.h"
+#include "MeshParts.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Outputs.h"
@@ -42,6 +46,7 @@ public:
     poses.Words = { "orbit:", "random:" };
     poses.Files = "json";
     this->AddMeshOptions(".vtp");
+    this->AddUpOption();
     this->AddOutput(
       "--cloud FILE.vtp", "writes the surface points seen in the pixels", this->Cloud);
     this->AddOfRender("--size", "pixels of each camera (1024x768)");
@@ -49,6 +54,7 @@ public:
     this->AddOfRender("--lens",
       scene::Join(vtkRelievoCalibration::GetNames(), ", ") +
         "; or a file, as in render; orthographic with its PIXELS (pinhole)");
+    this->AddPartOption("cells");
     this->Add("--seed N", "seed of random poses (0)", [this](const std::string& value) {
       this->Seed = scene::ParseWhole(
         "--seed", value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
@@ -67,15 +73,31 @@ public:
     {
       outputs.Add("--cloud", this->Cloud, this->Names);
     }
+    if (this->IsPart && !this->Cloud.empty())
+    {
+      throw scene::UsageError(
+        "--cloud: got a part of the cells, expected no --part: the points belong to pixels");
+    }
     scene::Progress progress;
+    MeshParts parts(MeshParts::GetFolder(this->File));
     vtkNew<vtkRelievoVisibility> visibility;
     const int up = ReadMeshes(this->Names, this->AllowedFolders, visibility, progress);
     this->AddCameras(this->Up < 0 ? up : this->Up, visibility);
     visibility->SetCloud(!this->Cloud.empty());
+    if (this->IsPart &&
+      !parts.Begin(this->Rows.Name, this->DescribeCameras(visibility), visibility, this->Part))
+    {
+      return 0;
+    }
     progress.Begin("following rays");
     progress.Observe(visibility);
     visibility->Update();
     scene::Messages::Check("visible");
+    if (this->IsPart)
+    {
+      parts.End(visibility, this->Part, progress);
+      return 0;
+    }
     WriteMesh(visibility->GetOutput(), "-o", this->File, outputs, progress);
     if (!this->Cloud.empty())
     {
@@ -106,6 +128,17 @@ private:
       return std::string();
     };
     this->Rows.Options.push_back(option);
+  }
+
+  // The words, and the cameras, which may come from a file.
+  std::string DescribeCameras(vtkRelievoVisibility* visibility) const
+  {
+    std::string words = this->GetWords();
+    for (int i = 0; i < visibility->GetNumberOfCameras(); ++i)
+    {
+      words += " " + scene::DescribeDatasetCamera(visibility->GetCamera(i)).dump();
+    }
+    return scene::FileHash::Of(words);
   }
 
   void AddCameras(int up, vtkRelievoVisibility* visibility) const

@@ -24,6 +24,35 @@
 
 namespace cli
 {
+namespace
+{
+vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& file, scene::ReadContext& context)
+{
+  scene::CheckReadable(file);
+  vtkNew<vtkAppendPolyData> all;
+  scene::ForEachDataSet(scene::ReadSurface(file, false, false, context),
+    [&all](vtkDataSet* data) { all->AddInputData(vtkPolyData::SafeDownCast(data)); });
+  if (all->GetNumberOfInputConnections(0) > 0)
+  {
+    all->Update();
+  }
+  vtkPolyData* mesh = all->GetOutput();
+  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+  {
+    throw scene::WorkError(file + ": it has no surface");
+  }
+  return mesh;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ReadMesh(
+  const std::string& file, const std::vector<std::string>& folders, scene::Progress& progress)
+{
+  scene::ReadContext context(progress, folders);
+  return ReadMesh(file, context);
+}
+
 //------------------------------------------------------------------------------
 int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::string>& folders,
   vtkRelievoSightAlgorithm* filter, scene::Progress& progress)
@@ -36,19 +65,7 @@ int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::str
   int up = 1;
   for (std::size_t i = 0; i < files.size(); ++i)
   {
-    scene::CheckReadable(files[i]);
-    vtkNew<vtkAppendPolyData> all;
-    scene::ForEachDataSet(scene::ReadSurface(files[i], false, false, context),
-      [&all](vtkDataSet* data) { all->AddInputData(vtkPolyData::SafeDownCast(data)); });
-    if (all->GetNumberOfInputConnections(0) > 0)
-    {
-      all->Update();
-    }
-    vtkPolyData* mesh = all->GetOutput();
-    if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
-    {
-      throw scene::WorkError(files[i] + ": it has no surface");
-    }
+    const vtkSmartPointer<vtkPolyData> mesh = ReadMesh(files[i], context);
     if (i == 0)
     {
       up = scene::FindUpAxis(files[i], mesh->GetBounds());

@@ -7,6 +7,8 @@
 #ifndef SightFiles_h
 #define SightFiles_h
 
+#include "vtkSmartPointer.h"
+
 #include <string>
 #include <vector>
 
@@ -25,6 +27,10 @@ namespace cli
 /// besides the files' own. Returns the up axis of the first file.
 int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::string>& folders,
   vtkRelievoSightAlgorithm* filter, scene::Progress& progress);
+
+/// Reads the surface of a file.
+vtkSmartPointer<vtkPolyData> ReadMesh(
+  const std::string& file, const std::vector<std::string>& folders, scene::Progress& progress);
 
 /// Writes the mesh to its output's path.
 void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& path,

@@ -6,6 +6,8 @@
 #ifndef DatasetFiles_h
 #define DatasetFiles_h
 
+#include <nlohmann/json.hpp>
+
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -23,6 +25,12 @@ void WriteWhole(const std::string& path, const std::string& bytes);
 
 /// Returns the bytes of a file of at most 256 MiB. Throws FileError.
 std::string ReadWhole(const std::string& path);
+
+/// The six digits, or more, of a number in the names of files.
+std::string WriteDatasetNumber(std::size_t number);
+
+/// Serializes JSON; bytes that are not Unicode are replaced.
+std::string WriteDatasetJson(const nlohmann::ordered_json& json);
 
 /// Writes pixels as a PNG, row by row from the top.
 std::string EncodePNG(

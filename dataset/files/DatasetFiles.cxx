@@ -149,6 +149,20 @@ std::string ReadWhole(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+std::string WriteDatasetNumber(std::size_t number)
+{
+  constexpr std::size_t digits = 6;
+  const std::string text = std::to_string(number);
+  return std::string(text.size() < digits ? digits - text.size() : 0, '0') + text;
+}
+
+//------------------------------------------------------------------------------
+std::string WriteDatasetJson(const nlohmann::ordered_json& json)
+{
+  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+//------------------------------------------------------------------------------
 std::string EncodePNG(
   const std::vector<unsigned char>& pixels, int columns, int rows, int components)
 {

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Command.h"
+#include "DatasetParts.h"
+#include "Errors.h"
+#include "MeshParts.h"
+#include "Messages.h"
+#include "Progress.h"
+#include "Values.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace cli
+{
+namespace
+{
+// A command about the folder in which the parts of a piece of work are.
+class FolderCommand : public Command
+{
+public:
+  enum Work
+  {
+    Merge,
+    Verify,
+    Status
+  };
+
+  FolderCommand(const std::string& name, Work work, const std::string& about)
+    : Command(name, "DIR", about)
+    , Kind(work)
+  {
+    this->Rows.Files = "/";
+  }
+
+  int Run(const std::vector<std::string>& words) override
+  {
+    this->Take(words);
+    if (this->Names.size() != 1)
+    {
+      throw scene::UsageError(
+        this->Rows.Name + ": got " + std::to_string(this->Names.size()) + " folders, expected one");
+    }
+    std::string folder = this->Names.front();
+    while (folder.size() > 1 && folder.back() == '/')
+    {
+      folder.pop_back();
+    }
+    std::error_code trouble;
+    const bool isDataset = std::filesystem::exists(folder + "/" + scene::DatasetSettings, trouble);
+    if (!isDataset && !std::filesystem::exists(folder + "/" + MeshParts::Settings, trouble))
+    {
+      throw scene::UsageError(folder + ": has neither " + scene::DatasetSettings + " nor " +
+        MeshParts::Settings + "; expected a folder that relievo dataset, sun or visible has begun");
+    }
+    const scene::Messages::Scope scope;
+    if (this->Kind == Merge)
+    {
+      return MergeParts(folder, isDataset);
+    }
+    const scene::WorkState state =
+      isDataset ? scene::VerifyDataset(folder) : MeshParts(folder).Verify();
+    if (this->Kind == Status)
+    {
+      std::fputs(scene::PartProgress::GetText(folder).c_str(), stdout);
+    }
+    std::fputs(state.GetText(folder).c_str(), stdout);
+    constexpr int different = 3; // as of relievo compare
+    return this->Kind == Status || state.IsWhole() ? 0 : different;
+  }
+
+private:
+  static int MergeParts(const std::string& folder, bool isDataset)
+  {
+    scene::Progress progress;
+    if (isDataset)
+    {
+      scene::MergeDataset(folder);
+      std::printf("%s: its indices are written\n", folder.c_str());
+    }
+    else
+    {
+      const std::string file = MeshParts(folder).Merge(progress);
+      progress.End();
+      std::printf("%s: written from all parts\n", file.c_str());
+    }
+    return 0;
+  }
+
+  Work Kind;
+};
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Command> MakeMerge()
+{
+  return std::make_unique<FolderCommand>("merge", FolderCommand::Merge,
+    "merge joins the parts that processes have written to DIR with --part: the result is that of a "
+    "single process, byte for byte. It writes the indices of a data set, or from FILE.parts the "
+    "FILE.");
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Command> MakeVerify()
+{
+  return std::make_unique<FolderCommand>("verify", FolderCommand::Verify,
+    "verify checks what DIR has, a data set or FILE.parts, and changes nothing: what is missing, "
+    "damaged (by hashes), or written by another version. Exit status: 0 if it is whole, otherwise "
+    "3.");
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Command> MakeStatus()
+{
+  return std::make_unique<FolderCommand>("status", FolderCommand::Status,
+    "status prints how far the parts in DIR are, how fast, and how long they will take.");
+}
+}

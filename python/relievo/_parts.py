@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Work in parts: the command's --part, merge, verify and status from Python."""
+
+import dataclasses
+import json
+import os
+import pathlib
+import shlex
+import subprocess
+
+from ._errors import describe
+from ._program import program
+
+_WITH_PARTS = ("dataset", "sun", "visible")
+
+
+@dataclasses.dataclass(frozen=True)
+class Part:
+    """One of the equal shares of a job, made by parts(): part `number`, from 1, of `count`.
+
+    Calling it computes it, in a process of its own, and returns the paths of its files; a part
+    that is complete only returns them. It can be pickled, and be called on any machine that has
+    the files: its words name files relative to `folder`.
+    """
+
+    words: tuple
+    folder: str
+    number: int
+    count: int
+
+    def __call__(self) -> list[str]:
+        """Computes the part.
+
+        Returns the paths of its files. Raises ValueError for invalid words, RuntimeError if the
+        work fails.
+        """
+        _run([*self.words, f"--part={self.number}/{self.count}"], self.folder)
+        return self.files()
+
+    @property
+    def directory(self) -> str:
+        """The folder of all parts, which merge(), verify() and status() take."""
+        name = _output(self.words)
+        path = pathlib.Path(self.folder, name if self.words[0] == "dataset" else f"{name}.parts")
+        return str(path)
+
+    def files(self) -> list[str]:
+        """The paths of the files that this part has written so far."""
+        top = pathlib.Path(self.directory)
+        if self.words[0] == "dataset":
+            views = json.loads((top / "dataset.json").read_text("utf-8"))["views"]
+            share, rest = divmod(views, self.count)
+            first, end = (n * share + min(n, rest) for n in (self.number - 1, self.number))
+            records = [top / "views" / f"{view:06d}.json" for view in range(first, end)]
+        else:
+            records = [top / f"part-{self.number:06d}.json"]
+        paths = []
+        for record in records:
+            if record.exists():
+                paths += [top / name for name in json.loads(record.read_text("utf-8"))["files"]]
+                paths.append(record)
+        return [str(path) for path in paths]
+
+
+def parts(job, n) -> list[Part]:
+    """Returns n equal shares of a job, for processes on one or many machines.
+
+        job = "sun town.obj --place 48.2,16.4 --dates 2026-06-21 -o town.vtp"
+        parts = relievo.parts(job, 8)
+        with concurrent.futures.ProcessPoolExecutor() as pool:
+            for part in [pool.submit(part) for part in parts]:
+                part.result()
+        town = relievo.merge(parts)
+
+    job: the words of `relievo dataset`, `sun` or `visible`, as a text (as in a shell) or a list,
+        without the program's name. Files are relative to the folder in which parts() is called.
+    n: number of parts, from 1; a part without work only says so.
+
+    Parts can be pickled: concurrent.futures, joblib, dask.distributed and submitit take them as
+    functions without arguments. What merge() makes of them does not depend on n, nor on the order
+    in which they ran. Raises ValueError for wrong arguments.
+    """
+    words = tuple(shlex.split(job)) if isinstance(job, str) else tuple(map(os.fspath, job))
+    if not words or words[0] not in _WITH_PARTS:
+        raise ValueError(f"job: got {job!r}, expected the words of {', '.join(_WITH_PARTS)}")
+    _output(words)
+    if not isinstance(n, int) or isinstance(n, bool) or n < 1:
+        raise ValueError(f"n: got {n!r}, expected a whole number from 1")
+    return [Part(words, os.getcwd(), number, n) for number in range(1, n + 1)]
+
+
+def merge(parts) -> str:
+    """Joins the parts of a job, and returns the path of the result: the file, or the data set.
+
+    parts: parts from parts(), all complete; or the folder of the parts.
+
+    The result is that of a single process, byte for byte. Raises ValueError for wrong arguments,
+    RuntimeError if parts are missing or damaged.
+    """
+    directory = _directory(parts)
+    _run(["merge", directory])
+    return directory.removesuffix(".parts")
+
+
+def verify(parts) -> str:
+    """Checks the parts of a job and their result, and changes nothing.
+
+    parts: as for merge().
+
+    Returns "" if all is whole, otherwise a text that lists what is missing, damaged, or made by
+    another version. Raises ValueError for wrong arguments.
+    """
+    done = _run(["verify", _directory(parts)], good=(0, 3))
+    return done.stdout if done.returncode == 3 else ""
+
+
+def _directory(parts):
+    if isinstance(parts, (str, os.PathLike)):
+        return os.fspath(parts)
+    parts = list(parts)
+    wrong = [part for part in parts if not isinstance(part, Part)]
+    if not parts or wrong:
+        raise ValueError(f"parts: got {describe(wrong[0] if wrong else parts)}, expected what "
+                         "parts() returns, or a folder")
+    return parts[0].directory
+
+
+def _output(words):
+    """The value of the option for the output."""
+    name = "--out" if words[0] == "dataset" else "-o"
+    for at, word in enumerate(words):
+        if word == name and at + 1 < len(words):
+            return words[at + 1]
+        if word.startswith(f"{name}="):
+            return word.partition("=")[2]
+    raise ValueError(f"job: got no {name}, expected the words of {words[0]} with their output")
+
+
+def _run(words, folder=None, good=(0,)):
+    path = program()
+    if path is None:
+        raise RuntimeError("relievo: this build has no command: build the target relievo, or "
+                           "install a wheel")
+    done = subprocess.run([path, *words], cwd=folder, text=True, capture_output=True, check=False)
+    if done.returncode not in good:
+        raise (ValueError if done.returncode == 2 else RuntimeError)(
+            done.stderr.strip() or f"relievo {words[0]}: ended with {done.returncode}")
+    return done
