@@ -282,7 +282,7 @@ bool vtkRelievoLayerSource::Draw(vtkRelievoPass* pass, bool color)
   vtkRenderWindow* window = this->Renderer->GetRenderWindow();
   int size[2];
   this->Renderer->GetTiledSize(&size[0], &size[1]);
-  const int* all = window->GetSize();
+  const int* all = window->GetActualSize(); // of a tile
   if (all[0] <= 0 || all[1] <= 0 || size[0] <= 0 || size[1] <= 0)
   {
     vtkErrorMacro("The renderer's viewport has " << size[0] << " x " << size[1]
