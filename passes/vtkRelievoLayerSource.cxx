@@ -98,7 +98,7 @@ int GetSizeLimit(vtkRenderWindow* any)
   if (window->GetNeverRendered())
   {
     // Only a context can tell, and making one at an impossible size may end the program.
-    const int size[2] = { window->GetSize()[0], window->GetSize()[1] };
+    const int size[2] = { window->GetActualSize()[0], window->GetActualSize()[1] };
     window->SetSize(std::min(size[0], 1024), std::min(size[1], 1024));
     window->Initialize();
     window->SetSize(size[0], size[1]);

@@ -9,13 +9,12 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRelievoMatrix.h"
-#include "vtkRelievoTiles.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTextActor.h"
@@ -59,16 +58,17 @@ public:
   explicit Projection(vtkRenderer* renderer)
     : Size{ static_cast<double>(renderer->GetSize()[0]),
       static_cast<double>(renderer->GetSize()[1]) }
-    , Matrix(vtkRelievoGetTileToPicture(renderer) *
-        vtkRelievoToGlm(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-          renderer->GetTiledAspectRatio(), -1.0, 1.0)))
+    , Matrix(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+        renderer->GetTiledAspectRatio(), -1.0, 1.0))
   {
   }
 
   /// None for points beside or behind the camera.
   std::optional<std::array<double, 2>> operator()(const std::array<double, 3>& point) const
   {
-    const glm::dvec4 to = this->Matrix * glm::dvec4(point[0], point[1], point[2], 1.0);
+    const double from[4] = { point[0], point[1], point[2], 1.0 };
+    double to[4];
+    this->Matrix->MultiplyPoint(from, to);
     if (to[3] <= 0.0)
     {
       return std::nullopt;
@@ -86,7 +86,7 @@ public:
   const std::array<double, 2> Size;
 
 private:
-  glm::dmat4 Matrix;
+  vtkMatrix4x4* Matrix;
 };
 }
 

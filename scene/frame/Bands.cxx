@@ -40,6 +40,7 @@ std::string FindWhole(const RenderOptions& options)
     : !options.Baseline.empty()              ? "--baseline"
     : !options.Report.empty()                ? "--report"
     : options.Certify                        ? "--certify"
+    : options.Look.Grid                      ? "--grid"
     : flows                                  ? "the layer flow"
     : has("tone", "auto_exposure") == "on"   ? "the automatic exposure of tone"
     : !has("display", "layer").empty()       ? "a layer that is shown in colours"

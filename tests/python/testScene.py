@@ -306,15 +306,15 @@ class Scene(unittest.TestCase):
         writer.Write()
         for options, often in (
             ({"preset": "none", "edges": True, "background": "white,skyblue"}, 2e-4),
-            ({"preset": "none", "grid": True, "scale_bar": "m", "color_by": "height",
-              "scalar_bar": True, "parallel_scale": 3, "view_angle": None}, 2e-4),
+            ({"preset": "none", "scale_bar": "m", "color_by": "height", "scalar_bar": True,
+              "parallel_scale": 3, "view_angle": None}, 2e-4),
             ({"preset": "none", "skybox": True, "environment": self.path("sky.png")}, 2e-4),
             ({"preset": "none", "skybox": True, "environment": self.path("sky.png"),
               "parallel_scale": 3, "view_angle": None}, 2e-4),
             ({"preset": "none", "lamps": f"{self.lamps},radius=2", "light": "sun:1,2,1",
-              "shadows": "exact", "transparent": True}, 1e-3),
+              "shadows": "exact"}, 1e-3),
             ({"preset": "none", "ambient": "1", "tone": "reinhard", "light": "sun:1,2,1",
-              "stage": ["lines", "tone:dither=on"], "soft_shadows": 8, "shadows": "map"}, 2e-2),
+              "stage": ["lines", "tone:dither=ordered"], "soft_shadows": 8, "shadows": "map"}, 2e-2),
             ({"preset": "studio"}, 2e-2),
         ):  # fmt: skip
             with self.subTest(options=options):
@@ -369,6 +369,9 @@ class Scene(unittest.TestCase):
             scene.render(self.path("a.png"), report=self.path("a.json"))
         self.assertRegex(" ".join(scene.notes), "drawn at once.*--report needs all of it")
         self.assertEqual(json.loads((self.folder / "a.json").read_text())["size"], [60, 460])
+        with self.assertLogs("relievo", "INFO"):
+            self.picture(scene.set(grid=True))
+        self.assertRegex(" ".join(scene.notes), "--grid needs all of it")
 
     def test_a_window_of_ones_own(self):
         """The renderer lives in the window that was given, beside another."""
