@@ -297,7 +297,7 @@ class Scene(unittest.TestCase):
         common = {"size": size, "camera": (2.5, 3, 9, 0, 0.5, 0, 0, 1, 0), "view_angle": 50}
         sky = vtkImageData()
         sky.SetDimensions(64, 32, 1)
-        turns = numpy.add.outer(3 * numpy.arange(32), 5 * numpy.arange(64)).ravel() * numpy.pi / 32
+        turns = numpy.add.outer(3 * numpy.arange(32), 5 * numpy.arange(64)).ravel() / 10
         colors = 120 + 90 * numpy.sin(numpy.stack([turns, turns + 2, turns + 4], axis=1))
         sky.GetPointData().SetScalars(numpy_to_vtk(colors.astype(numpy.uint8), deep=True))
         writer = vtkPNGWriter()
