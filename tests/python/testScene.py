@@ -314,7 +314,8 @@ class Scene(unittest.TestCase):
             ({"preset": "none", "lamps": f"{self.lamps},radius=2", "light": "sun:1,2,1",
               "shadows": "exact"}, 1e-3),
             ({"preset": "none", "ambient": "1", "tone": "reinhard", "light": "sun:1,2,1",
-              "stage": ["lines", "tone:dither=ordered"], "soft_shadows": 8, "shadows": "map"}, 2e-2),
+              "stage": ["lines", "tone:dither=ordered"],
+              "soft_shadows": 8, "shadows": "map"}, 2e-2),
             ({"preset": "studio"}, 2e-2),
         ):  # fmt: skip
             with self.subTest(options=options):
