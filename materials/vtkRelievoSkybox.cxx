@@ -123,11 +123,12 @@ void vtkRelievoSkybox::GetScreenToEnvironment(vtkRenderer* renderer, vtkMatrix3x
   vtkNew<vtkMatrix3x3> toWorld;
   if (camera->GetParallelProjection())
   {
-    const int* tiles = renderer->GetRenderWindow()->GetTileScale();
-    const double half =
-      std::tan(vtkMath::RadiansFromDegrees(0.5 * this->ParallelViewAngle)) / tiles[1];
+    int tile[2];
+    renderer->GetTiledSize(&tile[0], &tile[1]);
+    const double half = std::tan(vtkMath::RadiansFromDegrees(0.5 * this->ParallelViewAngle)) /
+      (static_cast<double>(renderer->GetSize()[1]) / tile[1]);
     const double wide = half * toNDC->GetElement(1, 1) / toNDC->GetElement(0, 0);
-    const double* center = camera->GetWindowCenter();
+    const double center[2] = { -toNDC->GetElement(0, 3), -toNDC->GetElement(1, 3) };
     const double inView[9] = { wide, 0., center[0] * wide, 0., half, center[1] * half, 0., 0.,
       -1. };
     vtkNew<vtkMatrix3x3> screenToView;

@@ -127,7 +127,7 @@ int GetSizeLimit(vtkRenderWindow* any)
   if (window->GetNeverRendered())
   {
     // Only a context can tell, and making one at an impossible size may end the program.
-    const int size[2] = { window->GetSize()[0], window->GetSize()[1] };
+    const int size[2] = { window->GetActualSize()[0], window->GetActualSize()[1] };
     window->SetSize(std::min(size[0], 1024), std::min(size[1], 1024));
     window->Initialize();
     window->SetSize(size[0], size[1]);
@@ -330,7 +330,7 @@ bool vtkRelievoLayerSource::Draw(vtkRelievoPass* pass, bool color)
   vtkRenderWindow* window = this->Renderer->GetRenderWindow();
   int size[2];
   this->Renderer->GetTiledSize(&size[0], &size[1]);
-  const int* all = window->GetSize();
+  const int* all = window->GetActualSize(); // of a tile
   if (all[0] <= 0 || all[1] <= 0 || size[0] <= 0 || size[1] <= 0)
   {
     vtkErrorMacro("The renderer's viewport has " << size[0] << " x " << size[1]

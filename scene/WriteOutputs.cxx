@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WriteOutputs.h"
 
+#include "Bands.h"
 #include "Baseline.h"
 #include "DataSets.h"
 #include "DressedScene.h"
@@ -49,11 +50,11 @@
 #include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowStage.h"
 #include "vtkRelievoStage.h"
+#include "vtkRelievoTiles.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolumeCollection.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -238,14 +240,22 @@ bool ShowsGroundAlone(const Scene& scene, const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
+// The window's picture, or that of its present band.
+vtkSmartPointer<vtkImageData> Grab(vtkRenderer* renderer)
 {
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  grab->Update();
-  return grab->GetOutput();
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  int size[2];
+  renderer->GetTiledSize(&size[0], &size[1]);
+  if (window->GetTileScale()[1] == 1) // a program's window may have more renderers
+  {
+    std::copy_n(window->GetActualSize(), 2, size);
+  }
+  vtkNew<vtkUnsignedCharArray> bytes;
+  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, window->GetDoubleBuffer() ? 0 : 1, bytes);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size[0], size[1], 1);
+  image->GetPointData()->SetScalars(bytes);
+  return image;
 }
 
 //------------------------------------------------------------------------------
@@ -253,7 +263,7 @@ vtkSmartPointer<vtkImageData> DrawOver(const Scene& scene, double grey)
 {
   const Backdrop backdrop(scene, grey);
   scene.Renderer->GetRenderWindow()->Render();
-  return Grab(scene.Renderer->GetRenderWindow());
+  return Grab(scene.Renderer);
 }
 
 //------------------------------------------------------------------------------
@@ -295,7 +305,7 @@ void SetResolution(const std::string& path, double dpi)
 }
 
 //------------------------------------------------------------------------------
-void WritePNG(const Scene& scene, vtkImageData* picture, const RenderOptions& options,
+void WritePNG(const Scene& scene, vtkImageData* picture, bool isEmpty, const RenderOptions& options,
   const Outputs& outputs, Progress& progress)
 {
   progress.Begin("writing " + options.PNG);
@@ -318,7 +328,7 @@ void WritePNG(const Scene& scene, vtkImageData* picture, const RenderOptions& op
     Messages::Note(options.PNG +
       ": shows only the ground: everything else is fully transparent, or has no area");
   }
-  else if (ShowsNothing(scene.Renderer->GetRenderWindow(), picture, options))
+  else if (isEmpty)
   {
     Messages::Note(options.PNG +
       ": shows only the background: everything else is out of view, thinner than a pixel, "
@@ -366,13 +376,14 @@ std::string Certify(vtkRelievoPass* pass, int rays)
 }
 
 //------------------------------------------------------------------------------
-// Tells a user why a requested stage has no visible effect.
-void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages)
+// Tells a user why a requested stage has no visible effect in any band.
+void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages,
+  const std::set<vtkRelievoStage*>& ran)
 {
   for (const StageChoice& choice : stages)
   {
     vtkRelievoStage* stage = pass->GetStage(choice.Name);
-    if (stage->GetReasonCode() != "ran" && choice.Option != "--preset")
+    if (ran.count(stage) == 0 && choice.Option != "--preset")
     {
       const std::string asked =
         choice.Option + (choice.Option == StageChoice().Option ? " " + choice.Name : "");
@@ -394,10 +405,45 @@ std::vector<std::pair<std::string, std::string>> GetPlaces(const RenderOptions& 
 }
 
 //------------------------------------------------------------------------------
+// Copies the band's own rows into the picture, of which the first band makes the memory.
+void AddBand(vtkImageData* drawn, const Bands::Band& band, const std::array<int, 2>& size,
+  vtkSmartPointer<vtkImageData>& picture)
+{
+  if (!picture)
+  {
+    picture = vtkSmartPointer<vtkImageData>::New();
+    picture->SetDimensions(size[0], size[1], 1);
+    picture->AllocateScalars(VTK_UNSIGNED_CHAR, drawn->GetNumberOfScalarComponents());
+  }
+  const auto* from =
+    static_cast<const unsigned char*>(drawn->GetScalarPointer(0, band.Lowest - band.Drawn, 0));
+  auto* to = static_cast<unsigned char*>(picture->GetScalarPointer(0, band.Lowest, 0));
+  std::copy_n(from,
+    static_cast<std::size_t>(picture->GetNumberOfScalarComponents()) *
+      static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(band.End - band.Lowest),
+    to);
+}
+
+// Names the outputs in the work's errors.
+template <typename Work>
+void OnOutputs(const Outputs& outputs, Work work)
+{
+  try
+  {
+    work();
+  }
+  catch (const WorkError& error)
+  {
+    throw FileError(outputs.WithGivenNames(error.what()));
+  }
+}
+
+//------------------------------------------------------------------------------
 // Draws the scene and writes the complete outputs. Returns the picture, if one is wanted.
 vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* pass,
   const std::vector<std::string>& layers, const RenderOptions& options, const Settings& settings,
-  FlowOfFrames& flow, Outputs& outputs, Progress& progress, const std::string& what)
+  const Bands& bands, FlowOfFrames& flow, Outputs& outputs, Progress& progress,
+  const std::string& what)
 {
   const Scene& scene = dressed.GetScene();
   vtkRenderer* renderer = scene.Renderer;
@@ -418,57 +464,104 @@ vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* p
     progress.Update(double(frame) / FramesUntilTimed);
   }
   vtkNew<vtkRelievoLayerSource> source;
+  source->SetRenderer(renderer);
+  source->SetHDR(options.HDR);
+  for (const std::string& name : layers)
+  {
+    source->AddLayer(name);
+  }
+  const bool isInBands = bands.GetCount() > 1;
+  vtkNew<vtkRelievoEXRWriter> writer; // of bands
+  writer->SetFileName(options.EXR.empty() ? nullptr : outputs.Temporary(options.EXR).c_str());
+  bool isEmpty = true;
+  std::set<vtkRelievoStage*> ran;
   vtkSmartPointer<vtkImageData> seen;
   vtkSmartPointer<vtkImageData> picture;
-  if (!options.Lens.empty())
+  for (int number = 0; number < bands.GetCount(); ++number)
   {
-    seen = DrawLens(renderer, options, layers, picture, progress);
-  }
-  else if (!options.EXR.empty())
-  {
-    source->SetRenderer(renderer);
-    source->SetHDR(options.HDR);
-    for (const std::string& name : layers)
+    const Bands::Band band = bands.Get(number);
+    std::optional<vtkRelievoRows> rows;
+    if (isInBands)
     {
-      source->AddLayer(name);
+      rows.emplace(renderer, band.Drawn);
     }
-    source->Update();
-    // Uses the image and not the source's port, because a source of layers redraws on each request.
-    seen = source->GetOutput();
-  }
-  if (!options.EXR.empty())
-  {
-    flow.AddTo(seen, renderer, options);
-  }
-  if (options.Transparent)
-  {
-    const vtkSmartPointer<vtkImageData> overBlack = DrawOver(scene, 0.0);
-    picture = MakeTransparent(overBlack, DrawOver(scene, 1.0));
-  }
-  else if (options.Lens.empty())
-  {
-    const bool isDrawn = baseline && !options.WantsPicture() && options.Report.empty();
-    if ((options.EXR.empty() && !isDrawn) ||
-      (options.HDR && options.WantsPicture())) // not drawn yet
+    vtkSmartPointer<vtkImageData> drawn;
+    if (!options.Lens.empty())
     {
-      window->Render();
+      seen = DrawLens(renderer, options, layers, drawn, progress);
     }
-    picture = options.WantsPicture() ? Grab(window) : nullptr;
-  }
-  progress.End();
-  Messages::Check(what);
-  if (options.Lens.empty()) // a lens's last view may show less than the picture
-  {
-    NoteIdleStages(pass, options.Stages);
-  }
-
-  try
-  {
-    if (!options.PNG.empty())
+    else if (!options.EXR.empty())
     {
-      WritePNG(scene, picture, options, outputs, progress);
+      source->Update();
+      // Uses the image and not the source's port, because a source of layers redraws on each
+      // request.
+      seen = source->GetOutput();
     }
     if (!options.EXR.empty())
+    {
+      flow.AddTo(seen, renderer, options);
+    }
+    if (options.Transparent)
+    {
+      const vtkSmartPointer<vtkImageData> overBlack = DrawOver(scene, 0.0);
+      drawn = MakeTransparent(overBlack, DrawOver(scene, 1.0));
+    }
+    else if (options.Lens.empty())
+    {
+      const bool isDrawn = baseline && !options.WantsPicture() && options.Report.empty();
+      // Unless it is drawn already.
+      if ((options.EXR.empty() && !isDrawn) || (options.HDR && options.WantsPicture()))
+      {
+        window->Render();
+      }
+      drawn = options.WantsPicture() ? Grab(renderer) : nullptr;
+    }
+    Messages::Check(what);
+    isEmpty = isEmpty && drawn && ShowsNothing(window, drawn, options);
+    for (int i = 0; pass && i < pass->GetNumberOfStages(); ++i)
+    {
+      if (pass->GetStage(i)->GetReasonCode() == "ran")
+      {
+        ran.insert(pass->GetStage(i));
+      }
+    }
+    rows.reset();
+    if (!isInBands)
+    {
+      picture = drawn;
+      continue;
+    }
+    if (drawn)
+    {
+      AddBand(drawn, band, options.Size, picture);
+    }
+    if (!options.EXR.empty())
+    {
+      vtkRelievoLayerSource::AddCamera(renderer, seen, pass); // of the picture, not of the band
+      writer->WriteRows(seen, band.Lowest - band.Drawn, band.End - band.Lowest, options.Size[1]);
+      OnOutputs(outputs, [&] {
+        Messages::Check(
+          options.EXR, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
+      });
+    }
+    progress.Update((number + 1.0) / bands.GetCount());
+    if (progress.IsStopped())
+    {
+      throw WorkError(what + ": stopped");
+    }
+  }
+  progress.End();
+  if (options.Lens.empty()) // a lens's last view may show less than the picture
+  {
+    NoteIdleStages(pass, options.Stages, ran);
+  }
+
+  OnOutputs(outputs, [&] {
+    if (!options.PNG.empty())
+    {
+      WritePNG(scene, picture, isEmpty, options, outputs, progress);
+    }
+    if (!options.EXR.empty() && !isInBands)
     {
       WriteEXR(seen, options.EXR, outputs, progress);
     }
@@ -487,11 +580,7 @@ vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* p
     {
       Messages::Warn(outputs.WithGivenNames(warning));
     }
-  }
-  catch (const WorkError& error)
-  {
-    throw FileError(outputs.WithGivenNames(error.what()));
-  }
+  });
   return picture;
 }
 
@@ -659,7 +748,7 @@ std::unique_ptr<Outputs> OpenOutputs(
 
 //------------------------------------------------------------------------------
 std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
-  const Settings& settings, const std::vector<std::string>& inputs,
+  const Settings& settings, const Bands& bands, const std::vector<std::string>& inputs,
   std::unique_ptr<Outputs> outputs, Progress& progress)
 {
   vtkRenderer* renderer = dressed.GetRenderer();
@@ -684,8 +773,8 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   vtkRelievoPass* pass = frame.Get();
   if (frames == 0)
   {
-    DrawFrame(
-      dressed, pass, layers, options, settings, flow, *outputs, progress, "rendering " + size);
+    DrawFrame(dressed, pass, layers, options, settings, bands, flow, *outputs, progress,
+      "rendering " + size);
   }
   const std::string certificate = options.Certify ? Certify(pass, *options.Certify) : "";
   if (frames == 0)
@@ -715,7 +804,7 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
     {
       PlaceCamera(renderer, own.View, options.UpAxis, dressed.GetBounds());
     }
-    film.Add(DrawFrame(dressed, pass, layers, own, settings, flow, *outputs, progress,
+    film.Add(DrawFrame(dressed, pass, layers, own, settings, bands, flow, *outputs, progress,
       "rendering " + size + ", frame " + std::to_string(number + 1) + " of " +
         std::to_string(frames)));
     outputs->Commit();

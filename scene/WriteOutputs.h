@@ -14,6 +14,7 @@
 
 namespace scene
 {
+class Bands;
 class DressedScene;
 class Progress;
 class Settings;
@@ -30,11 +31,11 @@ std::unique_ptr<Outputs> OpenOutputs(
 
 /// Draws the scene as set by the options and writes the files; in a sequence, each frame's files
 /// are written before the next frame is drawn. `settings`: the source of the options, for the
-/// record of a baseline. `inputs`: all files read; no frame may replace one. Returns the shadows'
-/// certificate as text if it was requested. Throws UsageError for layers that the scene does not
-/// have, and WorkError.
+/// record of a baseline. `bands`: of the renderer's window. `inputs`: all files read; no frame may
+/// replace one. Returns the shadows' certificate as text if it was requested. Throws UsageError for
+/// layers that the scene does not have, and WorkError.
 std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
-  const Settings& settings, const std::vector<std::string>& inputs,
+  const Settings& settings, const Bands& bands, const std::vector<std::string>& inputs,
   std::unique_ptr<Outputs> outputs, Progress& progress);
 }
 

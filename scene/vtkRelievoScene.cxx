@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoScene.h"
 
+#include "Bands.h"
 #include "Baseline.h"
 #include "Display.h"
 #include "DressedScene.h"
@@ -50,7 +51,11 @@ struct vtkRelievoScene::Internals : public scene::ProgressListener
 
   void MakeWindow();
   void Read(scene::Progress& progress);
-  void Update(scene::Progress& progress);
+  void Update(scene::Progress& progress, int bandRows = 0);
+  scene::Bands GetBands() const
+  {
+    return { this->Options.Size, this->IsOwnWindow ? this->BandRows : 0 };
+  }
 
   vtkRelievoScene* Owner;
   vtkNew<vtkStringArray> Words, InputFiles, Notes, Warnings;
@@ -60,6 +65,7 @@ struct vtkRelievoScene::Internals : public scene::ProgressListener
   bool IsOwnWindow = false;
   std::exception_ptr NoWindow;     // why no window could be made while reading a file
   std::array<int, 2> Size{};       // size given to the own window
+  int BandRows = 0;                // of the last Update(); 0: the whole picture
   std::string ReadingKey;          // of the files read; empty: none
   bool Played = false;             // a sequence has moved the models from the time of reading
   std::vector<std::string> Opened; // while reading
@@ -210,13 +216,14 @@ void vtkRelievoScene::Internals::MakeWindow()
     this->IsOwnWindow = true;
   }
   scene::CheckDisplay(this->Window);
-  const std::array<int, 2>& asked = this->Options.Size;
+  const scene::Bands bands = this->GetBands();
+  const std::array<int, 2> size = bands.GetWindowSize();
   const bool isSized =
-    this->Size == asked && std::equal(asked.begin(), asked.end(), this->Window->GetSize());
+    this->Size == size && std::equal(size.begin(), size.end(), this->Window->GetActualSize());
   if (this->IsOwnWindow && !isSized)
   {
-    scene::CheckSize(this->Window, asked);
-    this->Size = asked;
+    scene::CheckSize(this->Window, size, this->Options.Size);
+    this->Size = size;
   }
 }
 
@@ -258,12 +265,14 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoScene::Internals::Update(scene::Progress& progress)
+void vtkRelievoScene::Internals::Update(scene::Progress& progress, int bandRows)
 {
   if (this->Options.Files.empty())
   {
     throw scene::UsageError("there is no file to show: give one among the words");
   }
+  const bool wasInBands = this->BandRows > 0;
+  this->BandRows = bandRows;
   this->Read(progress);
   this->Options = scene::FollowFile(this->Options, this->Dressed.GetScene());
   if (this->Played) // unchanged models keep the time of reading
@@ -281,6 +290,10 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress)
   if (!this->Window->HasRenderer(renderer))
   {
     this->Window->AddRenderer(renderer);
+  }
+  if (this->IsOwnWindow && (wasInBands || bandRows > 0))
+  {
+    this->GetBands().SetTiles(this->Window, renderer);
   }
   this->Dressed.Update(this->Settings, this->Options, false, progress);
   if (!this->Options.View.Place && this->Options.Model.Times.size() > 1)
@@ -316,12 +329,12 @@ bool vtkRelievoScene::Write()
       this->Internal->Options = OnFiles([&options] { return scene::FollowLens(options); });
     }
     scene::Progress progress(this->Internal.get());
-    this->Internal->Update(progress);
+    this->Internal->Update(progress, scene::ChooseBandRows(options, this->BandRows));
     this->Internal->Played = options.Model.Times.size() > 1;
     const std::vector<std::string>& opened = this->Internal->Opened;
     inputs.insert(inputs.end(), opened.begin(), opened.end());
     this->Internal->Certificate = scene::WriteOutputs(this->Internal->Dressed, options,
-      this->Internal->Settings, inputs, std::move(outputs), progress);
+      this->Internal->Settings, this->Internal->GetBands(), inputs, std::move(outputs), progress);
   });
 }
 
@@ -424,6 +437,7 @@ void vtkRelievoScene::PrintSelf(ostream& os, vtkIndent indent)
     os << ' ' << this->Internal->Words->GetValue(i);
   }
   os << "\n" << indent << "Renderer: " << this->GetRenderer() << "\n";
+  os << indent << "BandRows: " << this->BandRows << "\n";
   os << indent << "RenderWindow: " << this->Internal->Window << "\n";
   os << indent << "Failure: " << this->Failure << "\n";
 }

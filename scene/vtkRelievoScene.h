@@ -64,6 +64,16 @@ public:
   /** Shows the scene as set by the words, and writes the requested outputs: all or none. */
   bool Write();
 
+  ///@{
+  /**
+   * Rows that Write() draws at a time, with a window of the scene's own: bands of so many rows take
+   * less memory than the whole picture. At least 192, in steps of 64. Default: 0, which draws
+   * pictures of more than 2^24 pixels in bands, and others whole.
+   */
+  vtkSetClampMacro(BandRows, int, 0, 16384);
+  vtkGetMacro(BandRows, int);
+  ///@}
+
   /**
    * Shows the scene as set by the words, and draws the content of `--baseline` into an image:
    * vtkRelievoBaseline, portable or not, with the files' names for objects.
@@ -131,6 +141,7 @@ private:
   int Failure = NO_FAILURE;
   std::string FailureText;
   bool Abort = false;
+  int BandRows = 0;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

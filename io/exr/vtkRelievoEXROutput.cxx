@@ -16,7 +16,6 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfDoubleAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
-#include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfStringVectorAttribute.h>
 #include <OpenEXR/ImfThreading.h>
@@ -170,9 +169,9 @@ bool ReadWindow(vtkFieldData* fields, const char* name, Imath::Box2i& window)
 }
 
 //------------------------------------------------------------------------------
-Output::Output(vtkImageData* image, const Settings& settings)
+Output::Output(vtkImageData* image, const Settings& settings, int height)
 {
-  this->PlanWindows(image);
+  this->PlanWindows(image, height);
   this->Header.compression() = settings.Compression;
   if (settings.Compression == Imf::DWAA_COMPRESSION ||
     settings.Compression == Imf::DWAB_COMPRESSION)
@@ -197,7 +196,7 @@ Output::Output(vtkImageData* image, const Settings& settings)
 }
 
 //------------------------------------------------------------------------------
-void Output::PlanWindows(vtkImageData* image)
+void Output::PlanWindows(vtkImageData* image, int height)
 {
   int size[3];
   image->GetDimensions(size);
@@ -207,7 +206,7 @@ void Output::PlanWindows(vtkImageData* image)
       " x " + std::to_string(size[2]) +
       " points, but an EXR file holds one picture in the xy plane; give W x H x 1 points");
   }
-  Imath::Box2i data(Imath::V2i(0, 0), Imath::V2i(size[0] - 1, size[1] - 1));
+  Imath::Box2i data(Imath::V2i(0, 0), Imath::V2i(size[0] - 1, height - 1));
   Imath::Box2i display = data;
   // An image read from a file with its own windows keeps them if its size still fits.
   Imath::Box2i oldData;
@@ -236,7 +235,6 @@ void Output::PlanArrays(vtkImageData* image, const Settings& settings)
     this->Header.insert("relievo:origin", Imf::V3dAttribute(origin));
   }
 
-  Imf::StringVector record;
   std::set<std::string> names;
   std::string list;
   for (int i = 0; i < points->GetNumberOfArrays(); ++i)
@@ -263,7 +261,7 @@ void Output::PlanArrays(vtkImageData* image, const Settings& settings)
         " points; give it one for each");
     }
     this->PlanArray(values, settings, &origin[0]);
-    record.push_back(entry);
+    this->Record.push_back(entry);
     if (!names.insert(name).second)
     {
       throw Unfit("two arrays have the name '" + name + "'; rename one");
@@ -286,7 +284,7 @@ void Output::PlanArrays(vtkImageData* image, const Settings& settings)
         "', but the image has no such array or channel; it has the arrays " + list);
     }
   }
-  this->Header.insert(ArraysAttribute, Imf::StringVectorAttribute(record));
+  this->Header.insert(ArraysAttribute, Imf::StringVectorAttribute(this->Record));
 }
 
 //------------------------------------------------------------------------------
@@ -295,12 +293,6 @@ void Output::PlanArray(vtkDataArray* array, const Settings& settings, const doub
   const std::string name = array->GetName();
   const int components = array->GetNumberOfComponents();
   const int type = array->GetDataType();
-  this->Arrays.emplace_back(array);
-  if (!array->HasStandardMemoryLayout())
-  {
-    this->Arrays.back().TakeReference(vtkDataArray::CreateDataArray(type));
-    this->Arrays.back()->DeepCopy(array);
-  }
   const bool normalized = IsNormalized(name, type, components);
   const Imf::PixelType usual = normalized ? Imf::HALF : IsInteger(array) ? Imf::UINT : Imf::FLOAT;
   for (int c = 0; c < components; ++c)
@@ -323,13 +315,13 @@ void Output::PlanArray(vtkDataArray* array, const Settings& settings, const doub
       : normalized && pixel != Imf::UINT                   ? Coding::Normalized
                                                            : Coding::Plain;
     this->Header.channels().insert(channel, Imf::Channel(pixel));
-    this->Channels.push_back({ channel, pixel,
-      { this->Arrays.back(), c, code, { origin[0], origin[1], origin[2] } }, {} });
+    this->Channels.push_back(
+      { channel, pixel, { array, c, code, { origin[0], origin[1], origin[2] } }, {} });
   }
 }
 
 //------------------------------------------------------------------------------
-void Output::Write(Imf::OStream& stream, const std::function<bool(double)>& progress)
+void Output::Begin(Imf::OStream& stream)
 {
   const Imath::Box2i window = this->Header.dataWindow();
   const int64_t width = static_cast<int64_t>(window.max.x) - window.min.x + 1;
@@ -338,35 +330,99 @@ void Output::Write(Imf::OStream& stream, const std::function<bool(double)>& prog
   const int64_t smallBytes = 16 * 1024 * 1024;
   const int64_t chunk = LinesPerChunk(this->Header.compression());
   const int64_t bytesPerLine = 4 * width * static_cast<int64_t>(this->Channels.size());
-  const int blockLines = static_cast<int>(
+  this->BlockLines = static_cast<int>(
     std::min(height, chunk * std::max<int64_t>(1, smallBytes / bytesPerLine / chunk)));
-  std::vector<std::unique_ptr<char[]>> pixels;
   for (std::size_t i = 0; i < this->Channels.size(); ++i)
   {
-    pixels.emplace_back(new char[4 * width * blockLines]);
+    this->Pixels.emplace_back(new char[4 * width * this->BlockLines]);
   }
+  this->File = std::make_unique<Imf::OutputFile>(stream, this->Header, Imf::globalThreadCount());
+  this->Next = window.min.y;
+}
 
-  Imf::OutputFile file(stream, this->Header, Imf::globalThreadCount());
-  for (int64_t y = window.min.y; y <= window.max.y; y += blockLines)
+//------------------------------------------------------------------------------
+void Output::TakeArrays(vtkImageData* image)
+{
+  this->Arrays.clear();
+  auto channel = this->Channels.begin();
+  vtkPointData* points = image->GetPointData();
+  bool fits = points->GetNumberOfArrays() == static_cast<int>(this->Record.size()) &&
+    image->GetDimensions()[0] == this->Header.dataWindow().size().x + 1;
+  for (int i = 0; fits && i < points->GetNumberOfArrays(); ++i)
   {
-    const int first = static_cast<int>(y);
-    const int last = static_cast<int>(std::min<int64_t>(y + blockLines - 1, window.max.y));
-    this->EncodeBlock(pixels, first, last);
+    vtkDataArray* array = points->GetArray(i);
+    const std::size_t place = static_cast<std::size_t>(i);
+    fits = array && array->GetName() &&
+      RecordEntry(array->GetName(), array->GetDataType(), array->GetNumberOfComponents()) ==
+        this->Record[place] &&
+      array->GetNumberOfTuples() == image->GetNumberOfPoints();
+    if (!fits)
+    {
+      break;
+    }
+    this->Arrays.emplace_back(array);
+    if (!array->HasStandardMemoryLayout())
+    {
+      this->Arrays.back().TakeReference(vtkDataArray::CreateDataArray(array->GetDataType()));
+      this->Arrays.back()->DeepCopy(array);
+    }
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c, ++channel)
+    {
+      channel->Source.Array = this->Arrays.back();
+    }
+  }
+  if (!fits)
+  {
+    throw Unfit("the rows' arrays or width differ from those of the first rows; give all of them "
+                "the same");
+  }
+}
+
+//------------------------------------------------------------------------------
+void Output::WriteRows(vtkImageData* image, int lowest, int count, const Progress& progress)
+{
+  this->TakeArrays(image);
+  const Imath::Box2i window = this->Header.dataWindow();
+  if (count > static_cast<int64_t>(window.max.y) - this->Next + 1)
+  {
+    throw Unfit("there are " + std::to_string(count) + " more rows, but the picture lacks only " +
+      std::to_string(static_cast<int64_t>(window.max.y) - this->Next + 1));
+  }
+  const int64_t width = static_cast<int64_t>(window.max.x) - window.min.x + 1;
+  const int64_t height = static_cast<int64_t>(window.max.y) - window.min.y + 1;
+  for (int done = 0; done < count; done += this->BlockLines)
+  {
+    const int lines = std::min(this->BlockLines, count - done);
+    this->EncodeBlock(lines, lowest + count - 1 - done);
     Imf::FrameBuffer buffer;
     for (std::size_t i = 0; i < this->Channels.size(); ++i)
     {
       buffer.insert(this->Channels[i].Name,
-        Imf::Slice::Make(this->Channels[i].Type, pixels[i].get(), Imath::V2i(window.min.x, first),
-          width, blockLines));
+        Imf::Slice::Make(this->Channels[i].Type, this->Pixels[i].get(),
+          Imath::V2i(window.min.x, this->Next), width, this->BlockLines));
     }
-    file.setFrameBuffer(buffer);
-    file.writePixels(last - first + 1);
-    if (!progress(static_cast<double>(static_cast<int64_t>(last) - window.min.y + 1) / height))
+    this->File->setFrameBuffer(buffer);
+    this->File->writePixels(lines);
+    this->Next += lines;
+    if (!progress(static_cast<double>(static_cast<int64_t>(this->Next) - window.min.y) / height))
     {
       throw Aborted();
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool Output::IsComplete() const
+{
+  return this->Next > this->Header.dataWindow().max.y;
+}
+
+//------------------------------------------------------------------------------
+std::string Output::End()
+{
+  this->File.reset(); // writes the table of offsets
   this->Warn();
+  return this->Warning;
 }
 
 //------------------------------------------------------------------------------
@@ -412,8 +468,8 @@ void Output::Warn()
 }
 
 //------------------------------------------------------------------------------
-void Output::EncodeBlock(
-  const std::vector<std::unique_ptr<char[]>>& pixels, int firstLine, int lastLine)
+// The last row of an image is its top line.
+void Output::EncodeBlock(int lines, int topRow)
 {
   const Imath::Box2i window = this->Header.dataWindow();
   const vtkIdType width = static_cast<vtkIdType>(window.max.x) - window.min.x + 1;
@@ -421,12 +477,10 @@ void Output::EncodeBlock(
   {
     Channel& channel = this->Channels[i];
     const vtkIdType lineBytes = width * (channel.Type == Imf::HALF ? 2 : 4);
-    for (int y = firstLine; y <= lastLine; ++y)
+    for (int y = 0; y < lines; ++y)
     {
-      // The last row of the image is the top line of the file.
-      const vtkIdType first = (static_cast<vtkIdType>(window.max.y) - y) * width;
-      char* line = pixels[i].get() + lineBytes * (static_cast<vtkIdType>(y) - firstLine);
-      Encode(channel.Source, first, width, channel.Type, line, channel.Lost);
+      char* line = this->Pixels[i].get() + lineBytes * y;
+      Encode(channel.Source, width * (topRow - y), width, channel.Type, line, channel.Lost);
       if (IsLossy(this->Header.compression(), channel.Name, channel.Type))
       {
         CountExtremes(line, channel.Type, width, channel.Lost);

@@ -14,6 +14,7 @@
 
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOutputFile.h>
 
 #include <functional>
 #include <map>
@@ -39,14 +40,28 @@ public:
     std::map<std::string, double> Doubles;
   };
 
-  /** Plans the file; throws Failure if the image or the settings do not fit the format. */
-  Output(vtkImageData* image, const Settings& settings);
+  using Progress = std::function<bool(double)>; // takes 0 to 1, and returns false to stop
 
-  /** Writes the file. `progress` takes 0 to 1 and returns false to stop. */
-  void Write(Imf::OStream& stream, const std::function<bool(double)>& progress);
+  /**
+   * Plans a file of `height` lines with the arrays and the field data of the image, which may have
+   * fewer; throws Failure if the image or the settings do not fit the format.
+   */
+  Output(vtkImageData* image, const Settings& settings, int height);
 
-  /** After Write(): losses that the user may not expect; empty if there were none. */
-  const std::string& GetWarning() const { return this->Warning; }
+  /** Begins the file; the stream must outlive the lines. */
+  void Begin(Imf::OStream& stream);
+
+  /**
+   * Writes the next lines, from the top: `count` rows of the image, of which `lowest` is the lowest
+   * one. The image has the arrays of the plan.
+   */
+  void WriteRows(vtkImageData* image, int lowest, int count, const Progress& progress);
+
+  /** Whether all lines are written. */
+  bool IsComplete() const;
+
+  /** Completes the file. Returns losses that the user may not expect; empty if there were none. */
+  std::string End();
 
 private:
   struct Channel
@@ -59,13 +74,19 @@ private:
 
   Imf::Header Header;
   std::vector<Channel> Channels;
-  std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
+  std::vector<vtkSmartPointer<vtkDataArray>> Arrays; // of the present rows
+  std::vector<std::string> Record;                   // of the arrays
   std::string Warning;
+  std::unique_ptr<Imf::OutputFile> File;
+  std::vector<std::unique_ptr<char[]>> Pixels; // of a block of lines, by channel
+  int BlockLines = 0;
+  int Next = 0; // line
 
-  void PlanWindows(vtkImageData* image);
+  void PlanWindows(vtkImageData* image, int height);
   void PlanArrays(vtkImageData* image, const Settings& settings);
   void PlanArray(vtkDataArray* array, const Settings& settings, const double origin[3]);
-  void EncodeBlock(const std::vector<std::unique_ptr<char[]>>& pixels, int firstLine, int lastLine);
+  void TakeArrays(vtkImageData* image);
+  void EncodeBlock(int lines, int topRow);
   void CheckLosses(const Channel& channel) const;
   void Warn();
 };

@@ -34,7 +34,21 @@ const char* const PixelTypeNames[] = { "UINT", "HALF", "FLOAT" };
 //------------------------------------------------------------------------------
 struct vtkRelievoEXRWriter::Internals
 {
+  // A file whose rows are not all written.
+  struct Unfinished
+  {
+    Unfinished(const char* name, vtkImageData* image, const Output::Settings& settings, int height)
+      : File(image, settings, height)
+    {
+      this->Stream = std::make_unique<OutputStream>(name);
+      this->File.Begin(*this->Stream);
+    }
+    std::unique_ptr<OutputStream> Stream;
+    Output File; // uses the stream even when it is destroyed
+  };
+
   Output::Settings Settings;
+  std::unique_ptr<Unfinished> Rows;
 };
 
 //------------------------------------------------------------------------------
@@ -220,37 +234,79 @@ int vtkRelievoEXRWriter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   vtkImageData* image = vtkImageData::GetData(inputVector[0], 0);
+  this->Internal->Rows.reset();
+  this->TryRows(image, 0, image->GetDimensions()[1], image->GetDimensions()[1]);
+  this->Internal->Rows.reset();
+  // 1 also on failure: 0 makes the pipeline add an uninformative message.
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRWriter::WriteRows(vtkImageData* image, int lowest, int count, int height)
+{
+  if (!image || lowest < 0 || count < 1 || count > height ||
+    lowest > image->GetDimensions()[1] - count)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro("WriteRows was given "
+      << (image ? "rows that the image or the picture does not have; give it the lowest one of the "
+                  "image's rows, their number, and the picture's height."
+                : "no image; give it a vtkImageData."));
+    return 0;
+  }
+  this->SystemError = 0;
+  this->TryRows(image, lowest, count, height);
+  return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoEXRWriter::TryRows(vtkImageData* image, int lowest, int count, int height)
+{
   std::string warning;
+  std::unique_ptr<Internals::Unfinished>& rows = this->Internal->Rows;
   const char* advice = "this should not happen: please report it with the image";
   const Failure failure = relievo::exr::Translate(advice, [&] {
-    if (!this->FileName || !*this->FileName)
+    if (!rows)
     {
-      throw Failure(
-        vtkErrorCode::NoFileNameError, "no file name is given; set it with SetFileName");
+      if (!this->FileName || !*this->FileName)
+      {
+        throw Failure(
+          vtkErrorCode::NoFileNameError, "no file name is given; set it with SetFileName");
+      }
+      relievo::exr::StartThreads(this->NumberOfThreads);
+      Output::Settings settings = this->Internal->Settings;
+      settings.Compression = static_cast<Imf::Compression>(this->Compression);
+      settings.DWALevel = static_cast<float>(this->DWALevel);
+      rows = std::make_unique<Internals::Unfinished>(this->FileName, image, settings, height);
     }
-    relievo::exr::StartThreads(this->NumberOfThreads);
-    Output::Settings settings = this->Internal->Settings;
-    settings.Compression = static_cast<Imf::Compression>(this->Compression);
-    settings.DWALevel = static_cast<float>(this->DWALevel);
-    Output output(image, settings);
-    OutputStream stream(this->FileName);
     try
     {
-      output.Write(stream, [this](double progress) {
+      rows->File.WriteRows(image, lowest, count, [this](double progress) {
         this->UpdateProgress(progress);
         return !this->GetAbortExecute();
       });
+      if (rows->File.IsComplete())
+      {
+        warning = rows->File.End();
+      }
     }
     catch (const Iex::BaseExc&)
     {
-      stream.Check(); // the system's message is more specific
+      rows->Stream->Check(); // the system's message is more specific
       throw;
     }
-    stream.Commit();
-    warning = output.GetWarning();
+    if (rows->File.IsComplete())
+    {
+      rows->Stream->Commit();
+      rows.reset();
+    }
   });
   this->SetErrorCode(failure.Code);
   this->SystemError = failure.System;
+  if (failure.Code != vtkErrorCode::NoError)
+  {
+    rows.reset();
+  }
   const std::string message = failure.what();
   if (!message.empty())
   {
@@ -261,6 +317,4 @@ int vtkRelievoEXRWriter::RequestData(
   {
     vtkWarningMacro("In '" << this->FileName << "' " << warning << ".");
   }
-  // 1 also on failure: 0 makes the pipeline add an uninformative message.
-  return 1;
 }

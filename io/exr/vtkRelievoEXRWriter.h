@@ -43,6 +43,8 @@
 
 #include <memory> // for the internals
 
+class vtkImageData;
+
 class VTKRELIEVOIO_EXPORT vtkRelievoEXRWriter : public vtkImageAlgorithm
 {
 public:
@@ -142,6 +144,15 @@ public:
   /** Writes the file. Returns 1, or 0 after an error or an abort. */
   virtual int Write();
 
+  /**
+   * Writes a picture in parts: `count` rows of the image, of which `lowest` is the lowest one, are
+   * the next rows of a picture of `height` rows, from the top. The first call makes the file, with
+   * the image's field data; the last one, which brings the rows to `height`, completes it. All
+   * images have the same arrays and width. Returns 1, or 0 after an error or an abort, which ends
+   * the picture.
+   */
+  virtual int WriteRows(vtkImageData* image, int lowest, int count, int height);
+
   /** The errno of a failed system call in the last Write(), such as ENOSPC; otherwise 0. */
   vtkGetMacro(SystemError, int);
 
@@ -159,6 +170,7 @@ private:
   void operator=(const vtkRelievoEXRWriter&) = delete;
 
   bool AcceptAttribute(const char* name);
+  void TryRows(vtkImageData* image, int lowest, int count, int height);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -32,7 +32,8 @@ int GetSizeLimit(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void CheckSize(vtkRenderWindow* window, const std::array<int, 2>& size)
+void CheckSize(
+  vtkRenderWindow* window, const std::array<int, 2>& size, const std::array<int, 2>& asked)
 {
   vtkOpenGLRenderWindow* gl = vtkOpenGLRenderWindow::SafeDownCast(window);
   if (!gl)
@@ -46,7 +47,7 @@ void CheckSize(vtkRenderWindow* window, const std::array<int, 2>& size)
   const int limit = GetSizeLimit(gl);
   if (std::max(size[0], size[1]) > limit)
   {
-    throw WorkError("--size " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
+    throw WorkError("--size " + std::to_string(asked[0]) + "x" + std::to_string(asked[1]) +
       ": OpenGL here draws at most " + std::to_string(limit) + " pixels each way");
   }
   window->SetSize(size[0], size[1]);

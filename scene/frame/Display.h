@@ -20,8 +20,10 @@ void CheckDisplay(vtkRenderWindow* window);
 /// OpenGL's largest picture size in each direction; makes the window's context current.
 int GetSizeLimit(vtkOpenGLRenderWindow* window);
 
-/// Makes the window's context and throws WorkError if the size exceeds its limits.
-void CheckSize(vtkRenderWindow* window, const std::array<int, 2>& size);
+/// Makes the window's context and throws WorkError if the size, of a part of the picture that was
+/// asked for, exceeds its limits.
+void CheckSize(
+  vtkRenderWindow* window, const std::array<int, 2>& size, const std::array<int, 2>& asked);
 }
 
 #endif

@@ -327,6 +327,89 @@ class Scene(unittest.TestCase):
         self.assertEqual(set(numpy.unique(relievo.layer(captured, "cell"))), {-1, 0, 1})
         self.assertEqual(self.picture(scene), plain)
 
+    def test_bands(self):
+        """A picture drawn in bands is the whole one: texts, lines, samples, noise, layers."""
+        size = (150, 460)  # a lowest band of 160 rows, two of 128, and one of 44
+        common = {"size": size, "camera": (2.5, 3, 9, 0, 0.5, 0, 0, 1, 0), "view_angle": 50}
+        sky = vtkImageData()
+        sky.SetDimensions(64, 32, 1)
+        turns = numpy.add.outer(3 * numpy.arange(32), 5 * numpy.arange(64)).ravel() / 10
+        colors = 120 + 90 * numpy.sin(numpy.stack([turns, turns + 2, turns + 4], axis=1))
+        sky.GetPointData().SetScalars(numpy_to_vtk(colors.astype(numpy.uint8), deep=True))
+        writer = vtkPNGWriter()
+        writer.SetInputData(sky)
+        writer.SetFileName(self.path("sky.png"))
+        writer.Write()
+        for options, often in (
+            ({"preset": "none", "edges": True, "background": "white,skyblue"}, 2e-4),
+            ({"preset": "none", "scale_bar": "m", "color_by": "height", "scalar_bar": True,
+              "parallel_scale": 3, "view_angle": None}, 2e-4),
+            ({"preset": "none", "skybox": True, "environment": self.path("sky.png")}, 2e-4),
+            ({"preset": "none", "skybox": True, "environment": self.path("sky.png"),
+              "parallel_scale": 3, "view_angle": None}, 2e-4),
+            ({"preset": "none", "lamps": f"{self.lamps},radius=2", "light": "sun:1,2,1",
+              "shadows": "exact"}, 1e-3),
+            ({"preset": "none", "ambient": "1", "tone": "reinhard", "light": "sun:1,2,1",
+              "stage": ["lines", "tone:dither=ordered"],
+              "soft_shadows": 8, "shadows": "map"}, 2e-2),
+            ({"preset": "studio"}, 2e-2),
+        ):  # fmt: skip
+            with self.subTest(options=options):
+                scene = relievo.scene(self.mesh, **{**common, **options})
+                pictures = []
+                for rows in (0, 192, 0):
+                    scene._scene.SetBandRows(rows)
+                    self.picture(scene)
+                    reader = vtkPNGReader()
+                    reader.SetFileName(self.path("scene.png"))
+                    reader.Update()
+                    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+                    pictures.append(pixels.astype(int).reshape(size[1], size[0], -1))
+                whole, bands, again = pictures
+                numpy.testing.assert_array_equal(whole, again)
+                differ = abs(whole - bands).max(axis=2)
+                self.assertLess(numpy.mean(differ > 0), often)
+                self.assertLess(numpy.mean(differ > 8), 1e-3)
+                self.assertGreater(numpy.std(whole, axis=(0, 1)).max(), 5)  # shows something
+
+    def test_layers_in_bands(self):
+        """Layers, camera and lights of a file written in bands are those of the whole picture."""
+        scene = relievo.scene(self.mesh, size=(90, 460), camera=CAMERA, light="sun:1,2,1",
+                              preset="none")  # fmt: skip
+        layers = ["depth", "position", "normal", "cell", "height", "color"]
+        images = []
+        for rows in (0, 192):
+            scene._scene.SetBandRows(rows)
+            scene.render(exr=self.path("a.exr"), layers=layers[:-1], hdr=True)
+            images.append(relievo.read_exr(self.path("a.exr")))
+        for name in layers:
+            whole, bands = (relievo.layer(image, name) for image in images)
+            both = numpy.isfinite(whole) & numpy.isfinite(bands)
+            self.assertLess(numpy.mean(numpy.isfinite(whole) != numpy.isfinite(bands)), 1e-3, name)
+            differ = abs(numpy.where(both, whole, 0) - numpy.where(both, bands, 0))
+            self.assertLess(numpy.mean(differ > 1e-4), 1e-3, name)
+        fields = [image.GetFieldData() for image in images]
+        self.assertEqual(*(data.GetNumberOfArrays() for data in fields))
+        for i in range(fields[0].GetNumberOfArrays()):
+            name = fields[0].GetArrayName(i)
+            arrays = [data.GetAbstractArray(name) for data in fields]
+            if arrays[0].IsA("vtkDataArray"):
+                numpy.testing.assert_allclose(*map(vtk_to_numpy, arrays), rtol=1e-12, err_msg=name)
+            else:
+                self.assertEqual(*(array.GetValue(0) for array in arrays), name)
+
+    def test_no_bands(self):
+        """What needs the whole picture is drawn at once, and a note says why."""
+        scene = relievo.scene(self.mesh, size=(60, 460), preset="none")
+        scene._scene.SetBandRows(192)
+        with self.assertLogs("relievo", "INFO"):
+            scene.render(self.path("a.png"), report=self.path("a.json"))
+        self.assertRegex(" ".join(scene.notes), "drawn at once.*--report needs all of it")
+        self.assertEqual(json.loads((self.folder / "a.json").read_text())["size"], [60, 460])
+        with self.assertLogs("relievo", "INFO"):
+            self.picture(scene.set(grid=True))
+        self.assertRegex(" ".join(scene.notes), "--grid needs all of it")
+
     def test_a_window_of_ones_own(self):
         """The renderer lives in the window that was given, beside another."""
         window = vtkRenderWindow()

@@ -42,7 +42,12 @@ void SetText(vtkTextActor* actor, const std::string& text, int size, const doubl
 void RenderAt(vtkTextActor* text, vtkViewport* viewport, double x, double y)
 {
   text->SetPosition(x, y);
-  text->RenderOpaqueGeometry(viewport); // makes the text's image
+  // Makes the text's image. VTK magnifies texts in tiles, but this size is for the whole picture.
+  vtkWindow* window = viewport->GetVTKWindow();
+  const std::array<int, 2> tiles = { window->GetTileScale()[0], window->GetTileScale()[1] };
+  window->SetTileScale(1, 1);
+  text->RenderOpaqueGeometry(viewport);
+  window->SetTileScale(tiles[0], tiles[1]);
   text->RenderOverlay(viewport);
 }
 }
