@@ -104,6 +104,16 @@ public:
 
   ///@{
   /**
+   * The most nodes along an axis of the grid, along a light's rays, that has the light which volumes
+   * let pass. There are no more than voxels. With a tolerance or a time budget the number is
+   * chosen.
+   */
+  vtkSetClampMacro(VolumeNodes, int, 16, 1024);
+  vtkGetMacro(VolumeNodes, int);
+  ///@}
+
+  ///@{
+  /**
    * Goals that choose the method and the size of the maps, in place of SetMethod and SetMapSize:
    * the acceptable share of wrong verdicts among the pixels facing a light (0.0005 is 0.05 %), and
    * the milliseconds of a frame. 0 (default): no goal. An error if a value is negative, not a
@@ -342,6 +352,8 @@ public:
   /**
    * "soft_samples", "soft_gathered": see SetSoftSamples; 1 for point lights.
    * "expected_wrong_share": see EstimateWrongShare; null if no shadows of lights were made.
+   * "volume_nodes", "volume_bytes": of the grids of light through volumes, the most along an axis,
+   * and all; "volume_wrong_share": the expected share of wrong places, null without a tolerance.
    * "shadow_plan", "expected_frame_ms", "frame_ms": see SetTolerance; null without a goal.
    * "lamp_maps", "lamp_maps_drawn", "lamp_maps_bytes": for lamps from data; the second were
    * redrawn.
@@ -379,6 +391,7 @@ protected:
   double Tolerance = 0.0;
   double TimeBudget = 0.0;
   int LampMapSize = 1024;
+  int VolumeNodes = 256;
   int FilterRadius = 1;
   double Bias = 1.5;
   double Strength = 1.0;
