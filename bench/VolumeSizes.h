@@ -21,7 +21,7 @@ struct VolumeSizes
   int Largest = 128;                              // above it only the ball, by the default
   std::vector<int> Nodes = { 32, 64, 128, 256 };
   int Places = 3000;
-  std::vector<int> FrameSizes = { 64, 128, 256, 512 };
+  std::vector<int> FrameSizes = { 64, 128, 256 };
   int Rounds = 7;
 };
 

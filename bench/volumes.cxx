@@ -442,7 +442,10 @@ bool MeasureFrames(int size, int rounds, Table& table)
   std::vector<Way> ways = { { "plain", false, false, false },
     { "shadows, still", true, false, false }, { "shadows, the light moves", true, true, false } };
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  ways.push_back({ "VTK's volumetric scattering", false, false, true });
+  if (size <= 128) // it marches towards the light from every sample
+  {
+    ways.push_back({ "VTK's volumetric scattering", false, false, true });
+  }
 #endif
   std::vector<std::unique_ptr<Window>> windows;
   std::vector<relievoTest::Timed> frames;

@@ -134,16 +134,13 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
   vtkNew<vtkImageData> image;
   vtkNew<vtkImageData> dimmed;
   const bool volumes = picture.Work.Shade.IsMade();
-  if (volumes)
+  picture.Work.WithoutVolumes = volumes;
+  fault = DrawLayers(picture.Renderer, picture.Frame, layers, image);
+  picture.Work.WithoutVolumes = false;
+  if (fault.empty() && volumes)
   {
     fault = DrawLayers(picture.Renderer, picture.Frame, layers, dimmed);
   }
-  picture.Work.WithoutVolumes = true;
-  if (fault.empty())
-  {
-    fault = DrawLayers(picture.Renderer, picture.Frame, layers, image);
-  }
-  picture.Work.WithoutVolumes = false;
   if (fault.empty() && casting.size() != count)
   {
     fault = "other lights cast now";
