@@ -20,7 +20,7 @@ struct VolumeSizes
   std::vector<int> Sizes = { 64, 128, 256, 512 }; // voxels along an axis
   int Largest = 128;                              // above it only the ball, by the default
   std::vector<int> Nodes = { 32, 64, 128, 256 };
-  int Places = 3000;
+  int Places = 1000;
   std::vector<int> FrameSizes = { 64, 128, 256 };
   int Rounds = 7;
 };

@@ -151,9 +151,9 @@ struct Volume
       }
     }
     vtkNew<vtkPiecewiseFunction> opacity;
-    for (int i = 0; i <= 4096; ++i)
+    for (int i = 0; i <= 512; ++i)
     {
-      const double share = i / 4096.0;
+      const double share = i / 512.0;
       opacity->AddPoint(65535.0 * share, 1.0 - std::exp(-Steepest * share));
     }
     vtkNew<vtkColorTransferFunction> color;

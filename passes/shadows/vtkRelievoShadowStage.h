@@ -20,7 +20,7 @@
  * Salesin, R. Cook, Rendering antialiased shadows with depth maps, 1987).
  *
  * Translucent geometry receives shadows and does not cast, unless SetPropCasts() says so. Volumes
- * (vtkVolumeMapper, images, composite blending, one opacity function) dim the light behind them,
+ * (vtkVolumeMapper, images, composite blending) dim the light behind them,
  * exp(-optical depth) by VTK's definitions of opacity and unit distance, for every method; if they
  * are shaded, they receive shadows of surfaces, of other volumes and of themselves (depths in a
  * grid along the light's rays, after T. Lokovic and E. Veach, Deep shadow maps, 2000). Props that

@@ -485,18 +485,53 @@ std::string vtkRelievoVolumeExtinction::Mask(vtkVolumeMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoVolumeExtinction::Curve::Set(vtkPiecewiseFunction* function)
+{
+  this->Function = function;
+  bool linear = function->GetClamping() != 0;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[4]; // with the place of the middle and the sharpness
+    function->GetNodeValue(i, node);
+    this->Nodes.emplace_back(node[0], node[1]);
+    linear = linear && node[2] == 0.5 && node[3] == 0.0;
+  }
+  if (!linear)
+  {
+    this->Nodes.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoVolumeExtinction::Curve::Get(double x) const
+{
+  if (this->Nodes.empty())
+  {
+    return this->Function->GetValue(x);
+  }
+  const auto after = std::lower_bound(this->Nodes.begin(), this->Nodes.end(), x,
+    [](const glm::dvec2& node, double value) { return node.x < value; });
+  if (after == this->Nodes.begin() || after == this->Nodes.end())
+  {
+    return (after == this->Nodes.end() ? this->Nodes.back() : *after).y;
+  }
+  const glm::dvec2& before = *(after - 1);
+  return before.y + (x - before.x) / (after->x - before.x) * (after->y - before.y);
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoVolumeExtinction::Channel vtkRelievoVolumeExtinction::MakeChannel(
   vtkVolumeProperty* property, vtkImageData* image, int component, int function) const
 {
   Channel channel;
   channel.Component = component;
   channel.Weight = static_cast<float>(property->GetComponentWeight(function));
-  double range[2];
+  double* range = channel.Range;
   GetRange(this->Array, component, range);
-  channel.Opacity = property->GetScalarOpacity(function);
+  channel.Opacity.Set(property->GetScalarOpacity(function));
   channel.Unit = std::max(1e-300, property->GetScalarOpacityUnitDistance(function));
   std::vector<float> opacities(Entries);
-  channel.Opacity->GetTable(range[0], range[1], Entries, opacities.data());
+  property->GetScalarOpacity(function)->GetTable(range[0], range[1], Entries, opacities.data());
   channel.Extinction.resize(Entries);
   std::transform(opacities.begin(), opacities.end(), channel.Extinction.begin(),
     [&](float opacity) { return static_cast<float>(GetExtinctionOf(opacity, channel.Unit)); });
@@ -504,10 +539,11 @@ vtkRelievoVolumeExtinction::Channel vtkRelievoVolumeExtinction::MakeChannel(
   channel.PerScalar = static_cast<float>((Entries - 1) / (range[1] - range[0]));
   if (HasGradients(property, function))
   {
-    channel.Gradient = property->GetGradientOpacity(function);
+    vtkPiecewiseFunction* gradients = property->GetGradientOpacity(function);
+    channel.Gradient.Set(gradients);
     channel.GradientOpacity.resize(Entries);
     channel.Steepest = 0.25 * (range[1] - range[0]);
-    channel.Gradient->GetTable(0.0, channel.Steepest, Entries, channel.GradientOpacity.data());
+    gradients->GetTable(0.0, channel.Steepest, Entries, channel.GradientOpacity.data());
     const glm::dvec3 spacing(
       image->GetSpacing()[0], image->GetSpacing()[1], image->GetSpacing()[2]);
     const double mean = (spacing.x + spacing.y + spacing.z) / 3.0;
@@ -717,15 +753,14 @@ double vtkRelievoVolumeExtinction::GetExact(const T* values, const glm::dvec3& p
   double whole = 0.0;
   for (const Channel& channel : this->Channels)
   {
-    double range[2];
-    GetRange(this->Array, channel.Component, range);
+    const double* range = channel.Range;
     const double scalar = this->GetScalar(values, channel.Component, place);
     if (std::isnan(scalar))
     {
       continue;
     }
     double extinction = GetExtinctionOf(
-      channel.Opacity->GetValue(std::min(std::max(scalar, range[0]), range[1])), channel.Unit);
+      channel.Opacity.Get(std::min(std::max(scalar, range[0]), range[1])), channel.Unit);
     if (channel.Gradient)
     {
       glm::dvec3 gradient;
@@ -739,7 +774,7 @@ double vtkRelievoVolumeExtinction::GetExact(const T* values, const glm::dvec3& p
       }
       const double length = glm::length(gradient);
       extinction *=
-        std::isnan(length) ? 0.0 : channel.Gradient->GetValue(std::min(length, channel.Steepest));
+        std::isnan(length) ? 0.0 : channel.Gradient.Get(std::min(length, channel.Steepest));
     }
     squares += extinction * extinction;
     whole += extinction * channel.Weight;
@@ -850,7 +885,7 @@ double vtkRelievoVolumeExtinction::Integrate(
     sum *= length;
     const double change = std::abs(std::exp(-sum) - std::exp(-depth));
     depth = sum;
-    if (halving > 1 && change < Exactness)
+    if (halving > 0 && change < Exactness)
     {
       break;
     }

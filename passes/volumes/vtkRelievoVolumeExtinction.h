@@ -91,6 +91,19 @@ public:
   double GetDepth(const glm::dvec3& from, const glm::dvec3& to) const;
 
 private:
+  // A function whose values are found faster than by VTK, which passes its nodes one by one.
+  class Curve
+  {
+  public:
+    void Set(vtkPiecewiseFunction* function);
+    explicit operator bool() const { return this->Function != nullptr; }
+    double Get(double x) const;
+
+  private:
+    vtkSmartPointer<vtkPiecewiseFunction> Function;
+    std::vector<glm::dvec2> Nodes; // empty: between nodes, or outside, it is not linear
+  };
+
   // A component with an opacity.
   struct Channel
   {
@@ -107,8 +120,9 @@ private:
     int TintBy = 0;
     float FirstTint = 0.f;
     float PerTint = 0.f;
-    vtkSmartPointer<vtkPiecewiseFunction> Opacity; // for GetDepth
-    vtkSmartPointer<vtkPiecewiseFunction> Gradient;
+    Curve Opacity; // for GetDepth
+    Curve Gradient;
+    double Range[2] = { 0.0, 1.0 };
     double Unit = 1.0;
     double Steepest = 1.0; // gradient length, where the gradient's table ends
 
