@@ -104,8 +104,8 @@ public:
 
   ///@{
   /**
-   * The most nodes along an axis of the grid, along a light's rays, that has the light which volumes
-   * let pass. There are no more than voxels. With a tolerance or a time budget the number is
+   * The most nodes along an axis of the grid, along a light's rays, of the light that volumes let
+   * pass. There are no more than voxels. With a tolerance or a time budget the number is
    * chosen.
    */
   vtkSetClampMacro(VolumeNodes, int, 16, 1024);

@@ -459,7 +459,7 @@ void vtkRelievoVolumeExtinction::Hide(vtkImageData* image, bool cells)
 }
 
 //------------------------------------------------------------------------------
-// A binary mask, which VTK looks up at the nearest sample. Returns why it cannot be followed, or "".
+// A binary mask, which VTK looks up at the nearest sample. Returns why it cannot be used, or "".
 std::string vtkRelievoVolumeExtinction::Mask(vtkVolumeMapper* mapper)
 {
   auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);

@@ -6,7 +6,8 @@
 // Defines, by vtkRelievoShadowSplice: RELIEVO_SHADOW_LIGHTS (casting lights), RELIEVO_SHADOW_FACES
 // (number of their maps), RELIEVO_SHADOW_NUMBERS (lights of the renderer), RELIEVO_SHADOW_WIDE (the
 // filter's radius is above 1), RELIEVO_SHADOW_PARTS (of each soft sun), RELIEVO_SHADOW_COLORED
-// (surfaces colour the transmitted light), RELIEVO_VOLUME_TINTED (volumes do), and by the mapper's shader: RELIEVO_SHADOW_TRIANGLES
+// (surfaces colour the transmitted light), RELIEVO_VOLUME_TINTED (volumes do), and by the mapper's
+// shader: RELIEVO_SHADOW_TRIANGLES
 // (planes come from derivatives), RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor,
 // normalVCVSOutput is exact). Names shared with other splices: splice/contract.glsl.
 //

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The share of a light that volumes let pass (vtkRelievoVolumeShade). The includer defines
 // RELIEVO_SHADOW_LIGHTS, the number of lights, RELIEVO_VOLUME_AROUND if one is among the volumes,
-// RELIEVO_VOLUME_TINTED if they colour the light, and RELIEVO_VOLUME_SPREAD if a sun has a size; then with shadow/soft.glsl where pixels have parts
-// of its disc (RELIEVO_SHADOW_PARTS).
+// RELIEVO_VOLUME_TINTED if they colour the light, and RELIEVO_VOLUME_SPREAD if a sun has a size; then
+// with shadow/soft.glsl where pixels have parts of its disc (RELIEVO_SHADOW_PARTS).
 //RELIEVO::Include(volumes/texel.glsl)
 uniform sampler3D relievoVolumeDepths; // of all lights, one behind the other
 uniform vec3 relievoVolumeTexture;     // its size
@@ -11,7 +11,7 @@ uniform float relievoVolumeSlices;     // of a light
 uniform mat4 relievoVolumeMatrix[RELIEVO_SHADOW_LIGHTS]; // from a place to `map`
 uniform vec4 relievoVolumeSize[RELIEVO_SHADOW_LIGHTS];   // w: whether it is around the light
 
-// With RELIEVO_VOLUME_TINTED: the shares of red, green and blue, and last the share without colours.
+// With RELIEVO_VOLUME_TINTED: the shares of red, green and blue, and last that without colours.
 #ifdef RELIEVO_VOLUME_TINTED
 #define RELIEVO_VOLUME_SHARE vec4
 #define RELIEVO_VOLUME_WHOLE(share) (share).w

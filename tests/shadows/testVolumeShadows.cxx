@@ -296,7 +296,7 @@ void TestExact()
   bent.Opacity->AddPoint(0.0, 0.0);
   bent.Opacity->AddPoint(0.5, 0.8);
   bent.Opacity->AddPoint(1.0, 0.0);
-  // Twice the integral of -log(1 - 1.6 z) up to 0.5, which is -(q log q - q) / 1.6 at q = 0.2 and 1.
+  // Twice the integral of -log(1 - 1.6 z) up to 0.5: -(q log q - q) / 1.6 at q = 0.2 and 1.
   const double half = ((0.2 * std::log(0.2) - 0.2) + 1.0) / 1.6;
   RELIEVO_CHECK_NEAR(
     bent.GetExact(Sun({ 0, 0, -1 }), { 0.5, 0.5, -1.0 }), 2.0 * half, 2e-5, "a bent function");
@@ -310,7 +310,7 @@ void TestCut()
 {
   const Source down = Sun({ 0, 0, -1 });
   const glm::dvec3 below(0.5625, 0.5625, -1.0); // in the middle of cells
-  Volume volume(9, Constant(0.7)); // eight cells, each of depth Sigma / 8
+  Volume volume(9, Constant(0.7));              // eight cells, each of depth Sigma / 8
   const auto check = [&](double share, double slack, const std::string& what) {
     RELIEVO_CHECK_NEAR(volume.GetExact(down, below), share * Sigma, 1e-6, what + ", in double");
     RELIEVO_CHECK_NEAR(volume.GetDepth(down, below), share * Sigma, slack, what);
