@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The share of a light that volumes let pass (vtkRelievoVolumeShade). The includer defines
 // RELIEVO_SHADOW_LIGHTS, the number of lights, RELIEVO_VOLUME_AROUND if one is among the volumes,
-// RELIEVO_VOLUME_TINTED if they colour the light, and RELIEVO_VOLUME_SPREAD if a sun has a size; then
+// RELIEVO_VOLUME_TINTED if they colour the light, RELIEVO_VOLUME_SPREAD if a sun has a size; then
 // with shadow/soft.glsl where pixels have parts of its disc (RELIEVO_SHADOW_PARTS).
 //RELIEVO::Include(volumes/texel.glsl)
 uniform sampler3D relievoVolumeDepths; // of all lights, one behind the other
