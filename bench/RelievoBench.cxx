@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RelievoBench.h"
 
+#include "VolumeSizes.h"
+
 #include "Charts.h"
 #include "Renderer.h"
 #include "Scripts.h"
@@ -75,6 +77,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchShadows },
     { "soft-shadows", "error of soft shadows against samples of the lights' shapes",
       RelievoBenchSoftShadows },
+    { "volumes", "light through volumes: error against time by method, frames beside VTK's",
+      RelievoBenchVolumes },
     { "exact-hard", "wrong exact shadows where edges lie densely, against expected errors",
       RelievoBenchExactHard },
     { "ambient", "error of ambient occlusion against time of a frame, beside VTK's own",

@@ -83,6 +83,8 @@ METHODS = {
     "map": "blue o -", "forward": "vermillion s -.", "warped": "green D --", "exact": "orange v -",
     "constant, computed": "purple ^ : constant bias", "vtkShadowMapPass": "grey x -- VTK",
     "with ties": "orange v -", "without ties": "blue o -", "expected": "grey x --",
+    # light through volumes
+    "grid": "blue o -", "Fourier terms": "grey s -.", "march": "grey D --",
     # samples of the default preset
     "at once": "blue o -", "one by one": "grey x --",
     # lamps

@@ -324,6 +324,24 @@ def soft_shadows(rows):
                (f" of {row['size']}" if row["light"] == "point" else "")))  # fmt: skip
 
 
+@bench("volumes.csv")
+def volumes(rows):
+    """Errors of the light through volumes by the processor's time."""
+    shown = [row for row in rows if row["size"] == "128"]
+    titles = {name: name for name in ("box", "ramp", "ball", "waves")}
+    yield Chart(
+        "volumes", "Light through volumes of 128³ voxels: error against time",
+        "Ring: the default. rms over places in and behind the volume. Without a grid: for each "
+        "pixel of 600 × 600.",
+        Axis("milliseconds of the processor", log=True),
+        Axis("rms error of the light's share", log=True),
+        panels(
+            shown, "milliseconds", lambda row: max(1e-7, number(row, "rms")),
+            panel=lambda row: titles[row["scene"]], titles=tuple(titles),
+            methods=("grid", "Fourier terms", "march", "exact"),
+            default=lambda row: row["method"] == "grid" and row["setting"] == "256"))
+
+
 @bench("exact-hard.csv")
 def exact_hard(rows):
     """Errors of exact shadows where edges lie densely."""

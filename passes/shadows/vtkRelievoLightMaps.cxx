@@ -17,6 +17,12 @@
 #include <iomanip>
 #include <sstream>
 
+namespace
+{
+// Of the time of a frame, for the depths of volumes.
+constexpr double VolumesShare = 0.5;
+}
+
 //------------------------------------------------------------------------------
 void vtkRelievoLightMaps::UseMethod(int method, vtkOpenGLRenderWindow* window)
 {
@@ -171,15 +177,15 @@ void vtkRelievoLightMaps::MakeNone(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoLightMaps::MakeShade(
-  vtkOpenGLRenderWindow* window, const vtkRelievoLightSizes& sizes, int samples, bool asked)
+std::string vtkRelievoLightMaps::MakeShade(vtkOpenGLRenderWindow* window, const Settings& settings,
+  const vtkRelievoLightSizes& sizes, int samples, bool asked)
 {
   std::vector<double> spreads;
   std::vector<vtkRelievoOpticalDepths::Source> sources;
   for (const auto& entry : this->Work.Cache.GetEntries())
   {
     const vtkRelievoShadowLight& light = entry.Light;
-    sources.push_back({ light.Positional, light.Position, light.Direction });
+    sources.push_back(light.GetSource());
     // A sample stands for its share of the sun's disc.
     const double half = vtkMath::RadiansFromDegrees(0.5 * sizes.Get(light.Light));
     const bool soft = samples > 1 && !light.Positional;
@@ -188,9 +194,13 @@ std::string vtkRelievoLightMaps::MakeShade(
                               : std::tan(half));
   }
   this->Work.Shade.SetSpreads(spreads);
-  const bool seen = asked || !this->Work.Props.GetReceiverBoxes().empty();
+  const bool seen =
+    !this->Work.WithoutVolumes && (asked || !this->Work.Props.GetReceiverBoxes().empty());
   this->Work.Shade.SetCasters(
-    seen ? this->Work.Props.GetVolumeCasters() : std::vector<vtkRelievoPlacedVolume>());
+    seen ? this->Work.Props.GetVolumeCasters() : std::vector<vtkRelievoPlacedVolume>(),
+    settings.ColoredShadows);
+  this->Work.Shade.SetNodes(
+    settings.VolumeNodes, { settings.Tolerance, VolumesShare * settings.TimeBudget });
   const std::string fault = this->Work.Shade.Update(window, sources);
   if (!this->Work.Shade.Bind())
   {
@@ -210,6 +220,7 @@ bool vtkRelievoLightMaps::UpdateStructure(const vtkRelievoShadowLights& lights, 
   structure.Volumes = this->Work.Shade.IsMade();
   structure.Spread = structure.Volumes && this->Work.Shade.IsSpread();
   structure.Around = this->Work.Shade.IsAround();
+  structure.Tinted = structure.Volumes && this->Work.Shade.IsTinted();
   structure.Maps = !structure.Traced || this->Work.Cache.GetNumberOfMaps() > 0;
   structure.Numbers = static_cast<int>(lights.GetAll().size());
   structure.Unlit = unlit;

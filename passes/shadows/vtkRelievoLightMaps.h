@@ -48,8 +48,8 @@ public:
 
   // The shade of volumes towards these lights, each moved to one of `samples` places of its shape.
   // `asked`: whether a layer has it even if nothing receives. Returns why there is none, or "".
-  std::string MakeShade(
-    vtkOpenGLRenderWindow* window, const vtkRelievoLightSizes& sizes, int samples, bool asked);
+  std::string MakeShade(vtkOpenGLRenderWindow* window, const Settings& settings,
+    const vtkRelievoLightSizes& sizes, int samples, bool asked);
 
   // The size of maps in this OpenGL: its limit if that is less, with a warning.
   static int GetSizeHere(int size, vtkRelievoMessagesOnce& messages);

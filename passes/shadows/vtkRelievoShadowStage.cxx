@@ -70,7 +70,7 @@ public:
   static vtkRelievoLightMaps::Settings GetSettings(const vtkRelievoShadowStage& self)
   {
     return { self.Method, self.MapSize, self.Tolerance, self.TimeBudget, self.Bias,
-      self.FilterRadius, self.ColoredShadows };
+      self.FilterRadius, self.ColoredShadows, self.VolumeNodes };
   }
 
   // While a map is being drawn: records the program that draws into it.
@@ -247,9 +247,9 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   const bool traces =
     this->Method == METHOD_EXACT || this->Tolerance > 0.0 || this->TimeBudget > 0.0;
   // Another process may have translucent props.
-  context.ColorsLight = this->Enabled && this->ColoredShadows && traces &&
-    !in.Lights.GetCasting().empty() &&
-    (in.Maps.Work.Others.IsOn() || in.Casters.Props.HasTranslucentCasters());
+  context.ColorsLight = this->Enabled && this->ColoredShadows && !in.Lights.GetCasting().empty() &&
+    ((traces && (in.Maps.Work.Others.IsOn() || in.Casters.Props.HasTranslucentCasters())) ||
+      !in.Casters.Props.GetVolumeCasters().empty());
   return true;
 }
 
@@ -309,8 +309,8 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
   }
   if (lights && fault.empty())
   {
-    const std::string noShade =
-      in.Maps.MakeShade(in.Window, in.Soft.Sizes, in.Soft.GetSamples(), in.LayersAsked);
+    const std::string noShade = in.Maps.MakeShade(in.Window, Internals::GetSettings(*this),
+      in.Soft.Sizes, in.Soft.GetSamples(), in.LayersAsked);
     if (!noShade.empty())
     {
       in.Messages.Error("No shadows of volumes: " + noShade);
@@ -481,7 +481,8 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
   description
     .AddFlag(
       "colored_shadows", this->ColoredShadows, [this](bool on) { this->SetColoredShadows(on); },
-      "Exact shadows: translucent surfaces cast, and colour the light that passes them.")
+      "Exact shadows: translucent surfaces cast, and colour the light that passes them; so do "
+      "coloured volumes.")
     .OnlyIf = "method=exact";
   description
     .AddNumber(
@@ -497,6 +498,13 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
     .AddWhole(
       "lamp_map_size", this->LampMapSize, [this](int size) { this->SetLampMapSize(size); }, 16,
       16384, "texels", "Width and height of each map of a lamp from data; a lamp has up to six.")
+    .Advanced = true;
+  description
+    .AddWhole(
+      "volume_nodes", this->VolumeNodes, [this](int nodes) { this->SetVolumeNodes(nodes); }, 16,
+      1024, "nodes",
+      "Most nodes along an axis of the grid of a light's way through volumes, which has one for "
+      "each voxel.")
     .Advanced = true;
   this->DescribeSoft(description);
 }
@@ -816,8 +824,14 @@ std::map<std::string, vtkVariant> vtkRelievoShadowStage::GetFacts()
   const vtkRelievoShadowPlanning& planning = in.Maps.Planning;
   const vtkRelievoShadowContext& lamps = in.Lamps.Work;
   const bool ran = this->GetReasonCode() == "ran" && !in.Lights.GetCasting().empty();
+  const vtkRelievoVolumeShade& volumes = in.Maps.Work.Shade;
   return { { "expected_wrong_share",
              ran ? vtkVariant(in.Maps.GetExpectedWrongShare()) : vtkVariant() },
+    { "volume_nodes", vtkVariant(ran ? volumes.GetNodesMade() : 0) },
+    { "volume_wrong_share",
+      ran && volumes.GetExpectedWrongShare() >= 0.0 ? vtkVariant(volumes.GetExpectedWrongShare())
+                                                    : vtkVariant() },
+    { "volume_bytes", vtkVariant(static_cast<long long>(volumes.GetBytes())) },
     { "soft_samples", vtkVariant(ran ? in.Soft.GetSamples() : 1) },
     { "soft_gathered", vtkVariant(ran ? in.Soft.GetGathered() : 1) },
     { "shadow_plan", planning.IsPlanned() ? vtkVariant(planning.Get().Words) : vtkVariant() },
@@ -934,13 +948,6 @@ vtkRelievoShadowCertificate* vtkRelievoShadowStage::Certify(int rays, int seed)
   {
     vtkErrorMacro("Certify judges verdicts of lights that are points, and SoftSamples is "
       << this->SoftSamples << "; set it to 0 and render first.");
-    return nullptr;
-  }
-  if (in.Maps.Work.Shade.IsMade())
-  {
-    vtkErrorMacro("Certify traces the triangles of surfaces, and a volume casts; give it to "
-                  "SetPropCasts with 0 (never) and render first. The command line shows an image "
-                  "without a volume with --image surface or labels.");
     return nullptr;
   }
   vtkRenderer* const renderer = in.Renderer;

@@ -20,7 +20,7 @@
  * Salesin, R. Cook, Rendering antialiased shadows with depth maps, 1987).
  *
  * Translucent geometry receives shadows and does not cast, unless SetPropCasts() says so. Volumes
- * (vtkVolumeMapper, images, composite blending, one opacity function) dim the light behind them,
+ * (vtkVolumeMapper, images, composite blending) dim the light behind them,
  * exp(-optical depth) by VTK's definitions of opacity and unit distance, for every method; if they
  * are shaded, they receive shadows of surfaces, of other volumes and of themselves (depths in a
  * grid along the light's rays, after T. Lokovic and E. Veach, Deep shadow maps, 2000). Props that
@@ -100,6 +100,16 @@ public:
    */
   vtkSetClampMacro(LampMapSize, int, 16, VTK_INT_MAX);
   vtkGetMacro(LampMapSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most nodes along an axis of the grid, along a light's rays, of the light that volumes let
+   * pass. There are no more than voxels. With a tolerance or a time budget the number is
+   * chosen.
+   */
+  vtkSetClampMacro(VolumeNodes, int, 16, 1024);
+  vtkGetMacro(VolumeNodes, int);
   ///@}
 
   ///@{
@@ -342,6 +352,8 @@ public:
   /**
    * "soft_samples", "soft_gathered": see SetSoftSamples; 1 for point lights.
    * "expected_wrong_share": see EstimateWrongShare; null if no shadows of lights were made.
+   * "volume_nodes", "volume_bytes": of the grids of light through volumes, the most along an axis,
+   * and all; "volume_wrong_share": the expected share of wrong places, null without a tolerance.
    * "shadow_plan", "expected_frame_ms", "frame_ms": see SetTolerance; null without a goal.
    * "lamp_maps", "lamp_maps_drawn", "lamp_maps_bytes": for lamps from data; the second were
    * redrawn.
@@ -379,6 +391,7 @@ protected:
   double Tolerance = 0.0;
   double TimeBudget = 0.0;
   int LampMapSize = 1024;
+  int VolumeNodes = 256;
   int FilterRadius = 1;
   double Bias = 1.5;
   double Strength = 1.0;

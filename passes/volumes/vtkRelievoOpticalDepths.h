@@ -14,6 +14,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <functional>
 #include <vector>
 
 class vtkRelievoVolumeExtinction;
@@ -37,8 +38,18 @@ public:
   // Marches through the fields: a node for each voxel, in each direction at most `most`.
   void Make(const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most);
 
-  // The interpolated depth at a point of the world.
+  // Everything about such a grid but its nodes.
+  void Lay(const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most);
+
+  // The share of places in and behind the volumes whose light a laid grid misses by more than
+  // `slack`, found at `places` random ones by rays in double; -1 if none of them is in any shade.
+  double EstimateWrongShare(const std::vector<vtkRelievoVolumeExtinction>& fields,
+    const Source& source, double slack, int places) const;
+
+  // The interpolated depth at a point of the world, and without a grid, by rays in double.
   double GetDepth(const glm::dvec3& world) const;
+  static double GetExactDepth(const std::vector<vtkRelievoVolumeExtinction>& fields,
+    const Source& source, const glm::dvec3& world);
 
   // From the world to the argument `map` of relievoVolumeTexel, or of relievoVolumeTexelAround if
   // rays go in all directions (shaders/volumes/texel.glsl).
@@ -46,15 +57,28 @@ public:
   bool IsAround() const { return this->Around; }
   const glm::ivec3& GetSize() const { return this->Size; }
   const std::vector<float>& GetDepths() const { return this->Depths; } // x fastest
+  // The tints of vtkRelievoVolumeExtinction, or empty.
+  const std::vector<glm::vec3>& GetTints() const { return this->Tints; }
 
   // Frees the nodes; the matrix and the size stay.
-  void ReleaseNodes() { std::vector<float>().swap(this->Depths); }
+  void ReleaseNodes()
+  {
+    std::vector<float>().swap(this->Depths);
+    std::vector<glm::vec3>().swap(this->Tints);
+  }
 
 private:
+  void March(const std::vector<vtkRelievoVolumeExtinction>& fields, int i, int j,
+    std::vector<float>& depths, std::vector<glm::vec3>& tints) const;
+  bool FindTexel(const glm::dvec3& world, glm::dvec3& texel) const;
+
   glm::dmat4 WorldToMap{ 1.0 };
   bool Around = false;
   glm::ivec3 Size{ 0 };
+  int Samples = 1;                                                                    // of a piece
+  std::function<void(double i, double j, glm::dvec3& from, glm::dvec3& step)> GetRay; // at a texel
   std::vector<float> Depths;
+  std::vector<glm::vec3> Tints;
 };
 
 #endif

@@ -3,9 +3,12 @@
 #include "vtkRelievoVolumeExtinction.h"
 
 #include "vtkAbstractMapper.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPiecewiseFunction.h"
@@ -14,6 +17,7 @@
 #include "vtkRelievoMatrix.h"
 #include "vtkRelievoPropMTime.h"
 #include "vtkSmartVolumeMapper.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
@@ -30,6 +34,37 @@ namespace
 constexpr int Entries = 4096; // of tables
 // An opaque sample lets this share of the light pass in a unit distance.
 constexpr double Opaque = 1e-7;
+// Colours are at least this bright where they colour light: a dark one blocks a channel at once.
+constexpr double Darkest = 1.0 / 255.0;
+constexpr double Exactness = 1e-6; // of transmittances by GetDepth
+constexpr int MostHalvings = 7;
+
+double GetExtinctionOf(double opacity, double unit)
+{
+  return -std::log1p(-std::min(opacity, 1.0 - Opaque)) / unit;
+}
+
+// Of a scalar, between the entries of a table.
+template <typename V>
+V Look(const std::vector<V>& table, float entry)
+{
+  const float inside = std::min(std::max(entry, 0.f), Entries - 1.f);
+  const int before = std::min(static_cast<int>(inside), Entries - 2);
+  return table[before] +
+    (inside - static_cast<float>(before)) * (table[before + 1] - table[before]);
+}
+
+// The range of scalars that VTK's tables cover.
+void GetRange(vtkDataArray* array, int component, double range[2])
+{
+  array->GetFiniteRange(range, component);
+  if (array->GetNumberOfComponents() == 4 && array->GetDataType() == VTK_UNSIGNED_CHAR)
+  {
+    range[0] = 0.0;
+    range[1] = 255.0;
+  }
+  range[1] = range[1] > range[0] ? range[1] : range[0] + 1.0;
+}
 
 std::vector<vtkImageData*> FindImages(vtkDataObject* data, bool& others)
 {
@@ -82,6 +117,11 @@ glm::dmat4 GetIndexToData(vtkImageData* image, bool cells, int size[3])
   return vtkRelievoToGlm(image->GetIndexToPhysicalMatrix()) * toCorner;
 }
 
+bool HasGradients(vtkVolumeProperty* property, int index)
+{
+  return property->HasGradientOpacity(index) && !property->GetDisableGradientOpacity(index);
+}
+
 // The reason why rays cannot follow the mapper's drawing, or "".
 std::string FindWhyNot(vtkVolume* volume, vtkVolumeMapper* mapper)
 {
@@ -100,7 +140,15 @@ std::string FindWhyNot(vtkVolume* volume, vtkVolumeMapper* mapper)
   }
   if (property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
   {
-    return "its transfer function has two dimensions";
+    return "its transfer function has two dimensions, whose opacities VTK does not relate to a "
+           "length; use SetScalarOpacity and SetGradientOpacity";
+  }
+  auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
+  if (gpu && gpu->GetMaskInput() &&
+    gpu->GetMaskType() == vtkGPUVolumeRayCastMapper::LabelMapMaskType)
+  {
+    return "its mask is a label map, whose labels have opacities of their own; use a binary mask, "
+           "or a volume for each label";
   }
   return std::string();
 }
@@ -161,17 +209,36 @@ glm::dmat4 vtkRelievoVolumeExtinction::GetTextureToWorld(vtkVolumeMapper* mapper
 
 //------------------------------------------------------------------------------
 void vtkRelievoVolumeExtinction::AddState(
-  const vtkRelievoPlacedVolume& placed, std::vector<std::uint64_t>& state)
+  const vtkRelievoPlacedVolume& placed, bool colored, std::vector<std::uint64_t>& state)
 {
   vtkVolume* volume = placed.Volume;
   auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
   vtkVolumeProperty* property = volume->GetProperty();
   state.push_back(reinterpret_cast<std::uintptr_t>(volume));
-  // Without colours and coefficients of light, which extinction does not depend on.
-  state.push_back(property->GetScalarOpacity(0)->GetMTime());
-  const bool gradients = property->HasGradientOpacity() && !property->GetDisableGradientOpacity();
-  state.push_back(gradients ? property->GetGradientOpacity(0)->GetMTime() : 0);
-  AddDouble(state, property->GetScalarOpacityUnitDistance(0));
+  bool others = false;
+  vtkDataArray* scalars = nullptr;
+  for (vtkImageData* image :
+    mapper ? FindImages(mapper->GetDataObjectInput(), others) : std::vector<vtkImageData*>())
+  {
+    int cells = 0;
+    scalars = scalars ? scalars : GetScalars(mapper, image, cells);
+  }
+  const int functions =
+    scalars && property->GetIndependentComponents() ? scalars->GetNumberOfComponents() : 1;
+  // Without coefficients of light, which extinction does not depend on.
+  for (int i = 0; i < std::min(functions, VTK_MAX_VRCOMP); ++i)
+  {
+    state.push_back(property->GetScalarOpacity(i)->GetMTime());
+    state.push_back(HasGradients(property, i) ? property->GetGradientOpacity(i)->GetMTime() : 0);
+    AddDouble(state, property->GetScalarOpacityUnitDistance(i));
+    AddDouble(state, property->GetComponentWeight(i));
+    if (colored)
+    {
+      state.push_back(property->GetColorChannels(i) == 1
+          ? property->GetGrayTransferFunction(i)->GetMTime()
+          : property->GetRGBTransferFunction(i)->GetMTime());
+    }
+  }
   state.push_back(property->GetInterpolationType());
   state.push_back(property->GetIndependentComponents());
   state.push_back(property->GetTransferFunctionMode());
@@ -184,6 +251,12 @@ void vtkRelievoVolumeExtinction::AddState(
   vtkDataObject* data = mapper->GetDataObjectInput();
   state.push_back(reinterpret_cast<std::uintptr_t>(data));
   state.push_back(data ? vtkRelievoPropMTime::OfData(data) : 0);
+  auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
+  if (vtkImageData* mask = gpu ? gpu->GetMaskInput() : nullptr)
+  {
+    state.push_back(gpu->GetMaskType());
+    state.push_back(vtkRelievoPropMTime::OfData(mask));
+  }
   state.push_back(mapper->GetBlendMode());
   state.push_back(mapper->GetScalarMode());
   state.push_back(mapper->GetArrayAccessMode());
@@ -205,7 +278,7 @@ void vtkRelievoVolumeExtinction::AddState(
 
 //------------------------------------------------------------------------------
 std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
-  const vtkRelievoPlacedVolume& placed, std::string& why)
+  const vtkRelievoPlacedVolume& placed, std::string& why, bool colored)
 {
   vtkVolume* volume = placed.Volume;
   std::vector<vtkRelievoVolumeExtinction> fields;
@@ -232,14 +305,11 @@ std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
       continue;
     }
     const int components = field.Array->GetNumberOfComponents();
-    if (components > 1 && property->GetIndependentComponents())
+    const bool independent = components > 1 && property->GetIndependentComponents();
+    if ((components == 3 && !independent) || components > VTK_MAX_VRCOMP)
     {
-      why = "its components are independent; switch IndependentComponents off, or give it one";
-      return {};
-    }
-    if (components == 3)
-    {
-      why = "it has three dependent components, which VTK does not draw";
+      why = "it has " + std::to_string(components) + (independent ? "" : " dependent") +
+        " components, which VTK does not draw";
       return {};
     }
     if (!field.Array->HasStandardMemoryLayout()) // threads read its memory
@@ -248,7 +318,6 @@ std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
       copy->DeepCopy(field.Array);
       field.Array = copy;
     }
-    field.Component = components - 1; // the last of two or four is the opacity's
     field.Nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
 
     const glm::dmat4 indexToData = GetIndexToData(image, cells != 0, field.Size);
@@ -258,85 +327,283 @@ std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
       field.High[i] = field.Size[i] - 1.0 - field.Low[i];
     }
     if (field.Array->GetNumberOfTuples() <
-      static_cast<vtkIdType>(field.Size[0]) * field.Size[1] * field.Size[2])
+        static_cast<vtkIdType>(field.Size[0]) * field.Size[1] * field.Size[2] ||
+      !field.SetPlace(placed.ToWorld, indexToData))
     {
       continue;
     }
-    const glm::dmat4 indexToWorld = placed.ToWorld * indexToData;
-    if (!(std::abs(glm::determinant(indexToWorld)) > 0.0))
+    field.SetCuts(mapper, indexToData);
+    field.Hide(image, cells != 0);
+    why = field.Mask(mapper);
+    if (!why.empty())
     {
-      continue;
+      return {};
     }
-    field.WorldToIndex = glm::inverse(indexToWorld);
-    field.IndexToData = glm::dmat3(indexToData);
-    field.Axes = glm::dmat3(indexToWorld);
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < (independent ? components : 1); ++i)
     {
-      const glm::dvec3 corner(i & 1 ? field.High[0] : field.Low[0],
-        i & 2 ? field.High[1] : field.Low[1], i & 4 ? field.High[2] : field.Low[2]);
-      field.Corners.emplace_back(indexToWorld * glm::dvec4(corner, 1.0));
-    }
-
-    if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
-    {
-      vtkCollectionSimpleIterator it;
-      planes->InitTraversal(it);
-      while (vtkPlane* plane = planes->GetNextPlane(it))
+      // The last of two or four dependent components is the opacity's.
+      Channel channel = field.MakeChannel(property, image, independent ? i : components - 1, i);
+      const bool seen = *std::max_element(channel.Extinction.begin(), channel.Extinction.end()) > 0;
+      if (seen && channel.Weight > 0.f)
       {
-        const double* n = plane->GetNormal();
-        const double* o = plane->GetOrigin();
-        field.Planes.emplace_back(n[0], n[1], n[2], -(n[0] * o[0] + n[1] * o[1] + n[2] * o[2]));
+        if (colored)
+        {
+          channel.AddTints(property, field.Array, i);
+        }
+        field.Channels.push_back(channel);
       }
     }
-    if (mapper->GetCropping())
+    if (!field.Channels.empty())
     {
-      field.Cropped = mapper->GetCroppingRegionFlags();
-      const double* planes = mapper->GetCroppingRegionPlanes();
-      const glm::dmat4 dataToIndex = glm::inverse(indexToData);
-      for (int i = 0; i < 6; ++i)
-      {
-        glm::dvec4 place(0.0, 0.0, 0.0, 1.0);
-        place[i / 2] = planes[i];
-        field.Crop[i] = (dataToIndex * place)[i / 2];
-      }
+      fields.push_back(field);
     }
-
-    double range[2];
-    field.Array->GetFiniteRange(range, field.Component);
-    if (components == 4 && field.Array->GetDataType() == VTK_UNSIGNED_CHAR)
-    {
-      range[0] = 0.0;
-      range[1] = 255.0;
-    }
-    range[1] = range[1] > range[0] ? range[1] : range[0] + 1.0;
-    std::vector<float> opacities(Entries);
-    property->GetScalarOpacity(0)->GetTable(range[0], range[1], Entries, opacities.data());
-    const double unit = std::max(1e-300, property->GetScalarOpacityUnitDistance(0));
-    field.Extinction.resize(Entries);
-    std::transform(
-      opacities.begin(), opacities.end(), field.Extinction.begin(), [&](float opacity) {
-        return static_cast<float>(-std::log1p(-std::min<double>(opacity, 1.0 - Opaque)) / unit);
-      });
-    if (*std::max_element(field.Extinction.begin(), field.Extinction.end()) <= 0.f)
-    {
-      continue;
-    }
-    field.First = static_cast<float>(range[0]);
-    field.PerScalar = static_cast<float>((Entries - 1) / (range[1] - range[0]));
-    if (property->HasGradientOpacity() && !property->GetDisableGradientOpacity())
-    {
-      field.GradientOpacity.resize(Entries);
-      property->GetGradientOpacity(0)->GetTable(
-        0.0, 0.25 * (range[1] - range[0]), Entries, field.GradientOpacity.data());
-      const glm::dvec3 spacing(
-        image->GetSpacing()[0], image->GetSpacing()[1], image->GetSpacing()[2]);
-      const double mean = (spacing.x + spacing.y + spacing.z) / 3.0;
-      field.Weights =
-        glm::vec3(mean / (2.0 * spacing) * (4.0 * (Entries - 1) / (range[1] - range[0])));
-    }
-    fields.push_back(field);
   }
   return fields;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVolumeExtinction::SetPlace(const glm::dmat4& toWorld, const glm::dmat4& indexToData)
+{
+  const glm::dmat4 indexToWorld = toWorld * indexToData;
+  if (!(std::abs(glm::determinant(indexToWorld)) > 0.0))
+  {
+    return false;
+  }
+  this->WorldToIndex = glm::inverse(indexToWorld);
+  this->IndexToData = glm::dmat3(indexToData);
+  this->Axes = glm::dmat3(indexToWorld);
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec3 corner(i & 1 ? this->High[0] : this->Low[0],
+      i & 2 ? this->High[1] : this->Low[1], i & 4 ? this->High[2] : this->Low[2]);
+    this->Corners.emplace_back(indexToWorld * glm::dvec4(corner, 1.0));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Clipping planes and cropping.
+void vtkRelievoVolumeExtinction::SetCuts(vtkVolumeMapper* mapper, const glm::dmat4& indexToData)
+{
+  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
+  {
+    vtkCollectionSimpleIterator it;
+    planes->InitTraversal(it);
+    while (vtkPlane* plane = planes->GetNextPlane(it))
+    {
+      const double* n = plane->GetNormal();
+      const double* o = plane->GetOrigin();
+      this->Planes.emplace_back(n[0], n[1], n[2], -(n[0] * o[0] + n[1] * o[1] + n[2] * o[2]));
+    }
+  }
+  if (mapper->GetCropping())
+  {
+    this->Cropped = mapper->GetCroppingRegionFlags();
+    const double* planes = mapper->GetCroppingRegionPlanes();
+    const glm::dmat4 dataToIndex = glm::inverse(indexToData);
+    for (int i = 0; i < 6; ++i)
+    {
+      glm::dvec4 place(0.0, 0.0, 0.0, 1.0);
+      place[i / 2] = planes[i];
+      this->Crop[i] = (dataToIndex * place)[i / 2];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Nothing is drawn between samples of which one is blanked, or in a blanked cell.
+void vtkRelievoVolumeExtinction::Hide(vtkImageData* image, bool cells)
+{
+  vtkUnsignedCharArray* points = cells ? nullptr : image->GetPointGhostArray();
+  vtkUnsignedCharArray* hidden = image->GetCellGhostArray();
+  const auto has = [](vtkUnsignedCharArray* ghosts, int flag) {
+    return ghosts &&
+      std::any_of(ghosts->GetPointer(0), ghosts->GetPointer(0) + ghosts->GetNumberOfTuples(),
+        [flag](unsigned char ghost) { return (ghost & flag) != 0; });
+  };
+  const bool any = has(points, vtkDataSetAttributes::HIDDENPOINT);
+  const bool anyCell = has(hidden, vtkDataSetAttributes::HIDDENCELL);
+  if (!any && !anyCell)
+  {
+    return;
+  }
+  int size[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    size[i] = std::max(1, this->Size[i] - 1);
+  }
+  this->Hidden = std::make_shared<std::vector<bool>>();
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      for (int i = 0; i < size[0]; ++i)
+      {
+        bool hides = anyCell && !cells &&
+          (hidden->GetValue(i + size[0] * (j + static_cast<vtkIdType>(size[1]) * k)) &
+            vtkDataSetAttributes::HIDDENCELL) != 0;
+        for (int corner = 0; corner < 8 && (any || cells); ++corner)
+        {
+          const vtkIdType x = std::min(i + (corner & 1), this->Size[0] - 1);
+          const vtkIdType y = std::min(j + (corner >> 1 & 1), this->Size[1] - 1);
+          const vtkIdType z = std::min(k + (corner >> 2), this->Size[2] - 1);
+          const vtkIdType at = x + this->Size[0] * (y + this->Size[1] * z);
+          hides = hides ||
+            (cells ? (hidden->GetValue(at) & vtkDataSetAttributes::HIDDENCELL) != 0
+                   : (points->GetValue(at) & vtkDataSetAttributes::HIDDENPOINT) != 0);
+        }
+        this->Hidden->push_back(hides);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A binary mask, which VTK looks up at the nearest sample. Returns why it cannot be used, or "".
+std::string vtkRelievoVolumeExtinction::Mask(vtkVolumeMapper* mapper)
+{
+  auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
+  vtkImageData* mask = gpu ? gpu->GetMaskInput() : nullptr;
+  if (!mask)
+  {
+    return std::string();
+  }
+  int cells = 0;
+  vtkDataArray* values = GetScalars(mapper, mask, cells);
+  const vtkIdType count = static_cast<vtkIdType>(this->Size[0]) * this->Size[1] * this->Size[2];
+  if (!values || values->GetNumberOfTuples() != count)
+  {
+    return "its mask and its image have different numbers of values; give the mask the image's "
+           "dimensions";
+  }
+  this->Masked = std::make_shared<std::vector<bool>>(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    (*this->Masked)[static_cast<std::size_t>(i)] = !(values->GetComponent(i, 0) > 0.0);
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumeExtinction::Curve::Set(vtkPiecewiseFunction* function)
+{
+  this->Function = function;
+  bool linear = function->GetClamping() != 0;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[4]; // with the place of the middle and the sharpness
+    function->GetNodeValue(i, node);
+    this->Nodes.emplace_back(node[0], node[1]);
+    linear = linear && node[2] == 0.5 && node[3] == 0.0;
+  }
+  if (!linear)
+  {
+    this->Nodes.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoVolumeExtinction::Curve::Get(double x) const
+{
+  if (this->Nodes.empty())
+  {
+    return this->Function->GetValue(x);
+  }
+  const auto after = std::lower_bound(this->Nodes.begin(), this->Nodes.end(), x,
+    [](const glm::dvec2& node, double value) { return node.x < value; });
+  if (after == this->Nodes.begin() || after == this->Nodes.end())
+  {
+    return (after == this->Nodes.end() ? this->Nodes.back() : *after).y;
+  }
+  const glm::dvec2& before = *(after - 1);
+  return before.y + (x - before.x) / (after->x - before.x) * (after->y - before.y);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoVolumeExtinction::Channel vtkRelievoVolumeExtinction::MakeChannel(
+  vtkVolumeProperty* property, vtkImageData* image, int component, int function) const
+{
+  Channel channel;
+  channel.Component = component;
+  channel.Weight = static_cast<float>(property->GetComponentWeight(function));
+  double* range = channel.Range;
+  GetRange(this->Array, component, range);
+  channel.Opacity.Set(property->GetScalarOpacity(function));
+  channel.Unit = std::max(1e-300, property->GetScalarOpacityUnitDistance(function));
+  std::vector<float> opacities(Entries);
+  property->GetScalarOpacity(function)->GetTable(range[0], range[1], Entries, opacities.data());
+  channel.Extinction.resize(Entries);
+  std::transform(opacities.begin(), opacities.end(), channel.Extinction.begin(),
+    [&](float opacity) { return static_cast<float>(GetExtinctionOf(opacity, channel.Unit)); });
+  channel.First = static_cast<float>(range[0]);
+  channel.PerScalar = static_cast<float>((Entries - 1) / (range[1] - range[0]));
+  if (HasGradients(property, function))
+  {
+    vtkPiecewiseFunction* gradients = property->GetGradientOpacity(function);
+    channel.Gradient.Set(gradients);
+    channel.GradientOpacity.resize(Entries);
+    channel.Steepest = 0.25 * (range[1] - range[0]);
+    gradients->GetTable(0.0, channel.Steepest, Entries, channel.GradientOpacity.data());
+    const glm::dvec3 spacing(
+      image->GetSpacing()[0], image->GetSpacing()[1], image->GetSpacing()[2]);
+    const double mean = (spacing.x + spacing.y + spacing.z) / 3.0;
+    channel.Weights = glm::vec3(mean / (2.0 * spacing));
+  }
+  return channel;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumeExtinction::Channel::AddTints(
+  vtkVolumeProperty* property, vtkDataArray* array, int function)
+{
+  const int components = array->GetNumberOfComponents();
+  if (components == 4 && !property->GetIndependentComponents())
+  {
+    return; // the colours are in the data
+  }
+  // Of two dependent components the first is the colour's.
+  this->TintBy = components == 2 && !property->GetIndependentComponents() ? 0 : this->Component;
+  double range[2];
+  GetRange(array, this->TintBy, range);
+  this->FirstTint = static_cast<float>(range[0]);
+  this->PerTint = static_cast<float>((Entries - 1) / (range[1] - range[0]));
+  std::vector<float> colors(3 * Entries);
+  if (property->GetColorChannels(function) == 1)
+  {
+    property->GetGrayTransferFunction(function)->GetTable(
+      range[0], range[1], Entries, colors.data(), 3);
+    for (int i = 0; i < Entries; ++i)
+    {
+      colors[3 * i + 1] = colors[3 * i + 2] = colors[3 * i];
+    }
+  }
+  else
+  {
+    property->GetRGBTransferFunction(function)->GetTable(
+      range[0], range[1], Entries, colors.data());
+  }
+  bool white = true;
+  this->Tints.resize(Entries);
+  for (int i = 0; i < Entries; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const double color = std::min(std::max<double>(colors[3 * i + j], Darkest), 1.0);
+      this->Tints[i][j] = static_cast<float>(-std::log(color));
+      white = white && color == 1.0;
+    }
+  }
+  if (white)
+  {
+    this->Tints.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVolumeExtinction::HasTints() const
+{
+  return std::any_of(this->Channels.begin(), this->Channels.end(),
+    [](const Channel& channel) { return !channel.Tints.empty(); });
 }
 
 //------------------------------------------------------------------------------
@@ -352,33 +619,66 @@ double vtkRelievoVolumeExtinction::GetSpacing() const
 }
 
 //------------------------------------------------------------------------------
-template <typename T>
-inline float vtkRelievoVolumeExtinction::GetScalar(const T* values, const glm::vec3& place) const
+// Within the cropping, between samples that are not hidden, near one that is not masked.
+template <typename Real>
+inline bool vtkRelievoVolumeExtinction::IsThere(const glm::vec<3, Real>& place) const
+{
+  if (this->Cropped >= 0)
+  {
+    int region = 0;
+    for (int axis = 0, stride = 1; axis < 3; ++axis, stride *= 3)
+    {
+      const double at = place[axis];
+      region += stride * (at <= this->Crop[2 * axis] ? 0 : at <= this->Crop[2 * axis + 1] ? 1 : 2);
+    }
+    if ((this->Cropped >> region & 1) == 0)
+    {
+      return false;
+    }
+  }
+  const auto find = [&](const std::vector<bool>& flags, int less, Real round) {
+    std::size_t at = 0;
+    for (int axis = 2; axis >= 0; --axis)
+    {
+      const int size = std::max(1, this->Size[axis] - less);
+      const int number = static_cast<int>(std::floor(place[axis] + round));
+      at = at * size + std::min(std::max(number, 0), size - 1);
+    }
+    return flags[at];
+  };
+  return !(this->Hidden && find(*this->Hidden, 1, Real(0))) &&
+    !(this->Masked && find(*this->Masked, 0, Real(0.5)));
+}
+
+//------------------------------------------------------------------------------
+template <typename T, typename Real>
+inline Real vtkRelievoVolumeExtinction::GetScalar(
+  const T* values, int component, const glm::vec<3, Real>& place) const
 {
   int low[3];
   int high[3];
-  float part[3];
+  Real part[3];
   for (int i = 0; i < 3; ++i)
   {
-    const float last = static_cast<float>(this->Size[i] - 1);
-    float at = std::min(std::max(place[i], 0.f), last);
-    at = this->Nearest ? std::floor(at + 0.5f) : at;
+    const Real last = static_cast<Real>(this->Size[i] - 1);
+    Real at = std::min(std::max(place[i], Real(0)), last);
+    at = this->Nearest ? std::floor(at + Real(0.5)) : at;
     low[i] = static_cast<int>(at);
     high[i] = std::min(low[i] + 1, this->Size[i] - 1);
-    part[i] = at - static_cast<float>(low[i]);
+    part[i] = at - static_cast<Real>(low[i]);
   }
   const std::ptrdiff_t across = this->Array->GetNumberOfComponents();
   const std::ptrdiff_t row = across * this->Size[0];
   const std::ptrdiff_t slice = row * this->Size[1];
-  const T* z0 = values + slice * low[2];
-  const T* z1 = values + slice * high[2];
+  const T* z0 = values + component + slice * low[2];
+  const T* z1 = values + component + slice * high[2];
   const std::ptrdiff_t y0 = row * low[1];
   const std::ptrdiff_t y1 = row * high[1];
   const std::ptrdiff_t x0 = across * low[0];
   const std::ptrdiff_t x1 = across * high[0];
-  const auto mix = [](float a, float b, float t) { return a + t * (b - a); };
+  const auto mix = [](Real a, Real b, Real t) { return a + t * (b - a); };
   const auto line = [&](const T* from) {
-    return mix(static_cast<float>(from[x0]), static_cast<float>(from[x1]), part[0]);
+    return mix(static_cast<Real>(from[x0]), static_cast<Real>(from[x1]), part[0]);
   };
   return mix(mix(line(z0 + y0), line(z0 + y1), part[1]), mix(line(z1 + y0), line(z1 + y1), part[1]),
     part[2]);
@@ -387,72 +687,210 @@ inline float vtkRelievoVolumeExtinction::GetScalar(const T* values, const glm::v
 //------------------------------------------------------------------------------
 template <typename T>
 inline float vtkRelievoVolumeExtinction::GetExtinction(
-  const T* values, const glm::vec3& place) const
+  const Channel& channel, const T* values, const glm::vec3& place) const
 {
-  const auto look = [](const std::vector<float>& table, float entry) {
-    const int before = std::min(static_cast<int>(entry), Entries - 2);
-    return table[before] +
-      std::min(entry - static_cast<float>(before), 1.f) * (table[before + 1] - table[before]);
-  };
-  const float entry = (this->GetScalar(values, place) - this->First) * this->PerScalar;
+  const float entry =
+    (this->GetScalar(values, channel.Component, place) - channel.First) * channel.PerScalar;
   if (std::isnan(entry))
   {
     return 0.f;
   }
-  float extinction = look(this->Extinction, std::min(std::max(entry, 0.f), Entries - 1.f));
-  if (extinction > 0.f && !this->GradientOpacity.empty())
+  float extinction = Look(channel.Extinction, entry);
+  if (extinction > 0.f && !channel.GradientOpacity.empty())
   {
     glm::vec3 gradient;
     for (int i = 0; i < 3; ++i)
     {
       glm::vec3 step(0.f);
       step[i] = 1.f;
-      gradient[i] = this->Weights[i] *
-        (this->GetScalar(values, place + step) - this->GetScalar(values, place - step));
+      gradient[i] = channel.Weights[i] *
+        (this->GetScalar(values, channel.Component, place + step) -
+          this->GetScalar(values, channel.Component, place - step));
     }
     const float length = glm::length(gradient);
-    extinction *=
-      std::isnan(length) ? 0.f : look(this->GradientOpacity, std::min(length, Entries - 1.f));
+    extinction *= std::isnan(length)
+      ? 0.f
+      : Look(
+          channel.GradientOpacity, static_cast<float>(length / channel.Steepest) * (Entries - 1.f));
   }
   return extinction;
 }
 
 //------------------------------------------------------------------------------
+// The tint and, last, the extinction. VTK weighs independent components' opacities by themselves.
+template <typename T>
+inline glm::vec4 vtkRelievoVolumeExtinction::GetAll(
+  const T* values, const glm::vec3& place, bool tinted) const
+{
+  glm::vec4 sum(0.f);
+  float whole = 0.f;
+  for (const Channel& channel : this->Channels)
+  {
+    const float extinction = this->GetExtinction(channel, values, place);
+    if (extinction <= 0.f)
+    {
+      continue;
+    }
+    const float square = extinction * extinction;
+    whole += extinction * channel.Weight;
+    sum.w += square;
+    if (tinted && !channel.Tints.empty())
+    {
+      const float entry =
+        (this->GetScalar(values, channel.TintBy, place) - channel.FirstTint) * channel.PerTint;
+      const glm::vec3 tint = Look(channel.Tints, std::isnan(entry) ? 0.f : entry);
+      sum += glm::vec4(square * tint, 0.f);
+    }
+  }
+  return whole > 0.f ? sum / whole : sum;
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+double vtkRelievoVolumeExtinction::GetExact(const T* values, const glm::dvec3& place) const
+{
+  double squares = 0.0;
+  double whole = 0.0;
+  for (const Channel& channel : this->Channels)
+  {
+    const double* range = channel.Range;
+    const double scalar = this->GetScalar(values, channel.Component, place);
+    if (std::isnan(scalar))
+    {
+      continue;
+    }
+    double extinction = GetExtinctionOf(
+      channel.Opacity.Get(std::min(std::max(scalar, range[0]), range[1])), channel.Unit);
+    if (channel.Gradient)
+    {
+      glm::dvec3 gradient;
+      for (int i = 0; i < 3; ++i)
+      {
+        glm::dvec3 step(0.0);
+        step[i] = 1.0;
+        gradient[i] = static_cast<double>(channel.Weights[i]) *
+          (this->GetScalar(values, channel.Component, place + step) -
+            this->GetScalar(values, channel.Component, place - step));
+      }
+      const double length = glm::length(gradient);
+      extinction *=
+        std::isnan(length) ? 0.0 : channel.Gradient.Get(std::min(length, channel.Steepest));
+    }
+    squares += extinction * extinction;
+    whole += extinction * channel.Weight;
+  }
+  return whole > 0.0 ? squares / whole : 0.0;
+}
+
+//------------------------------------------------------------------------------
 template <typename T>
 void vtkRelievoVolumeExtinction::March(const T* values, const glm::dvec3& from,
-  const glm::dvec3& step, double first, double last, int samples, std::vector<float>& depths) const
+  const glm::dvec3& step, double first, double last, int samples, std::vector<float>& depths,
+  std::vector<glm::vec3>& tints) const
 {
   const float length = static_cast<float>(glm::length(this->IndexToData * step));
   const int pieces = static_cast<int>(depths.size());
   const glm::vec3 start(from);
   const glm::vec3 along(step);
+  const bool cut = this->Cropped >= 0 || this->Hidden || this->Masked;
+  const bool tinted = !tints.empty();
+  const bool one = this->Channels.size() == 1 && this->Channels[0].Weight == 1.f && !tinted;
   for (int k = std::max(0, static_cast<int>(std::floor(first))); k < pieces && k < last; ++k)
   {
     const double begin = std::max<double>(first, k);
     const double end = std::min<double>(last, k + 1);
-    float sum = 0.f;
+    const float width = length * static_cast<float>((end - begin) / samples);
     for (int i = 0; i < samples; ++i)
     {
       const float t = static_cast<float>(begin + (end - begin) * (i + 0.5) / samples);
       const glm::vec3 place = start + t * along;
-      bool there = true;
-      if (this->Cropped >= 0)
+      if (cut && !this->IsThere(place))
       {
-        int region = 0;
-        for (int axis = 0, stride = 1; axis < 3; ++axis, stride *= 3)
-        {
-          const double at = place[axis];
-          region += stride *
-            (at <= this->Crop[2 * axis]          ? 0
-                : at <= this->Crop[2 * axis + 1] ? 1
-                                                 : 2);
-        }
-        there = (this->Cropped >> region & 1) != 0;
+        continue;
       }
-      sum += there ? this->GetExtinction(values, place) : 0.f;
+      if (one)
+      {
+        depths[k] += width * this->GetExtinction(this->Channels[0], values, place);
+        continue;
+      }
+      const glm::vec4 all = width * this->GetAll(values, place, tinted);
+      depths[k] += all.w;
+      if (tinted)
+      {
+        tints[k] += glm::vec3(all);
+      }
     }
-    depths[k] += sum * length * static_cast<float>((end - begin) / samples);
   }
+}
+
+//------------------------------------------------------------------------------
+// The places of a ray between which the extinction is smooth, but for the opacity function.
+std::vector<double> vtkRelievoVolumeExtinction::GetBorders(
+  const glm::dvec3& from, const glm::dvec3& along, double first, double last) const
+{
+  std::vector<double> borders{ first, last };
+  const auto add = [&](int axis, double at) {
+    const double t = (at - from[axis]) / along[axis];
+    if (t > first && t < last)
+    {
+      borders.push_back(t);
+    }
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (along[axis] == 0.0)
+    {
+      continue;
+    }
+    for (int i = 0; i < this->Size[axis]; ++i)
+    {
+      add(axis, i);
+      if (this->Nearest || this->Masked)
+      {
+        add(axis, i + 0.5);
+      }
+    }
+    for (int i = 0; i < 2 && this->Cropped >= 0; ++i)
+    {
+      add(axis, this->Crop[2 * axis + i]);
+    }
+  }
+  std::sort(borders.begin(), borders.end());
+  return borders;
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+double vtkRelievoVolumeExtinction::Integrate(
+  const T* values, const glm::dvec3& from, const glm::dvec3& along, double first, double last) const
+{
+  const std::vector<double> borders = this->GetBorders(from, along, first, last);
+  const double length = glm::length(this->IndexToData * along);
+  const double aside = 0.5 / std::sqrt(3.0); // of the two places of Gauss's rule
+  double depth = 0.0;
+  for (int halving = 0; halving < MostHalvings; ++halving)
+  {
+    const int parts = 1 << halving;
+    double sum = 0.0;
+    for (std::size_t i = 1; i < borders.size(); ++i)
+    {
+      const double part = (borders[i] - borders[i - 1]) / parts;
+      for (int j = 0; j < 2 * parts; ++j)
+      {
+        const double at = j / 2 + 0.5 + (j & 1 ? aside : -aside);
+        const glm::dvec3 place = from + (borders[i - 1] + at * part) * along;
+        sum += this->IsThere(place) ? 0.5 * part * this->GetExact(values, place) : 0.0;
+      }
+    }
+    sum *= length;
+    const double change = std::abs(std::exp(-sum) - std::exp(-depth));
+    depth = sum;
+    if (halving > 0 && change < Exactness)
+    {
+      break;
+    }
+  }
+  return depth;
 }
 
 //------------------------------------------------------------------------------
@@ -483,8 +921,8 @@ bool vtkRelievoVolumeExtinction::Clip(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoVolumeExtinction::AddDepths(
-  const glm::dvec3& from, const glm::dvec3& step, int samples, std::vector<float>& depths) const
+void vtkRelievoVolumeExtinction::AddDepths(const glm::dvec3& from, const glm::dvec3& step,
+  int samples, std::vector<float>& depths, std::vector<glm::vec3>& tints) const
 {
   double first = 0.0;
   double last = static_cast<double>(depths.size());
@@ -496,10 +934,30 @@ void vtkRelievoVolumeExtinction::AddDepths(
   const glm::dvec3 along(glm::dmat3(this->WorldToIndex) * step);
   switch (this->Array->GetDataType())
   {
-    vtkTemplateMacro(
-      this->March(static_cast<const VTK_TT*>(this->Array->GetVoidPointer(0)) + this->Component,
-        start, along, first, last, samples, depths));
+    vtkTemplateMacro(this->March(static_cast<const VTK_TT*>(this->Array->GetVoidPointer(0)), start,
+      along, first, last, samples, depths, tints));
     default:
       break;
   }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoVolumeExtinction::GetDepth(const glm::dvec3& from, const glm::dvec3& to) const
+{
+  double first = 0.0;
+  double last = 1.0;
+  if (!this->Clip(from, to - from, first, last))
+  {
+    return 0.0;
+  }
+  const glm::dvec3 start(this->WorldToIndex * glm::dvec4(from, 1.0));
+  const glm::dvec3 along(glm::dmat3(this->WorldToIndex) * (to - from));
+  switch (this->Array->GetDataType())
+  {
+    vtkTemplateMacro(return this->Integrate(
+      static_cast<const VTK_TT*>(this->Array->GetVoidPointer(0)), start, along, first, last));
+    default:
+      break;
+  }
+  return 0.0;
 }

@@ -4,8 +4,12 @@
 // The extinction of a volume along rays, on the CPU, by the definitions of VTK's ray-cast mappers:
 // scalars interpolated in the image, their opacity from the property's scalar opacity function,
 // times its gradient opacity, per unit distance in the volume's own coordinates: a path of length s
-// through opacity a lets (1 - a)^(s / unit distance) of the light pass. Cropping and clipping
-// planes cut the volume.
+// through opacity a lets (1 - a)^(s / unit distance) of the light pass. Cropping, clipping planes,
+// binary masks and blanked points and cells cut the volume.
+//
+// Colours of the transfer function colour the light, if asked for: a path of optical depth t
+// multiplies it by colour^t, besides exp(-t). A depth of 1 so colours the light like a pane of that
+// colour and opacity. The tint is the sum of -log(colour) * depth.
 #ifndef vtkRelievoVolumeExtinction_h
 #define vtkRelievoVolumeExtinction_h
 
@@ -17,13 +21,17 @@
 #include <glm/vec4.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 class vtkDataArray;
+class vtkImageData;
 class vtkMatrix4x4;
+class vtkPiecewiseFunction;
 class vtkVolume;
 class vtkVolumeMapper;
+class vtkVolumeProperty;
 
 // A volume where it is drawn.
 struct VTKRELIEVOVOLUMES_EXPORT vtkRelievoPlacedVolume
@@ -45,9 +53,9 @@ public:
 
   // The fields of a volume: one for each image that its mapper draws. Empty if nothing can be
   // traced; `why` then has the reason, as the end of a sentence, or is empty if there is nothing to
-  // draw.
+  // draw. `colored`: with tints, of fields that are not white.
   static std::vector<vtkRelievoVolumeExtinction> Collect(
-    const vtkRelievoPlacedVolume& placed, std::string& why);
+    const vtkRelievoPlacedVolume& placed, std::string& why, bool colored = false);
 
   // Why the shader of a volume's mapper, if it has one, cannot place samples in the world by
   // GetTextureToWorld, as the end of a sentence, or "".
@@ -57,7 +65,8 @@ public:
   static glm::dmat4 GetTextureToWorld(vtkVolumeMapper* mapper, vtkVolume* volume);
 
   // The state of everything that the fields of a volume depend on, for comparison. Cheap.
-  static void AddState(const vtkRelievoPlacedVolume& placed, std::vector<std::uint64_t>& state);
+  static void AddState(
+    const vtkRelievoPlacedVolume& placed, bool colored, std::vector<std::uint64_t>& state);
 
   // The corners of the image, in world coordinates.
   const std::vector<glm::dvec3>& GetCorners() const { return this->Corners; }
@@ -67,23 +76,88 @@ public:
   double GetSpacing() const;
   const glm::dmat3& GetAxes() const { return this->Axes; }
 
-  // Adds the optical depths of the pieces of a ray to `depths`: piece k reaches from t = k to k + 1
-  // of from + t * step (world). `samples`: of each piece.
-  void AddDepths(
-    const glm::dvec3& from, const glm::dvec3& step, int samples, std::vector<float>& depths) const;
+  // Whether light that passes is coloured.
+  bool HasTints() const;
+
+  // Adds the optical depths of the pieces of a ray to `depths`, and their tints to `tints` if it
+  // has room for them: piece k reaches from t = k to k + 1 of from + t * step (world). `samples`:
+  // of each piece.
+  void AddDepths(const glm::dvec3& from, const glm::dvec3& step, int samples,
+    std::vector<float>& depths, std::vector<glm::vec3>& tints) const;
+
+  // The optical depth between two places (world), in double: samples are halved until the light
+  // that passes changes by less than 1e-6. Opacities are those of the functions themselves, which
+  // AddDepths takes from tables.
+  double GetDepth(const glm::dvec3& from, const glm::dvec3& to) const;
 
 private:
+  // A function whose values are found faster than by VTK, which passes its nodes one by one.
+  class Curve
+  {
+  public:
+    void Set(vtkPiecewiseFunction* function);
+    explicit operator bool() const { return this->Function != nullptr; }
+    double Get(double x) const;
+
+  private:
+    vtkSmartPointer<vtkPiecewiseFunction> Function;
+    std::vector<glm::dvec2> Nodes; // empty: between nodes, or outside, it is not linear
+  };
+
+  // A component with an opacity.
+  struct Channel
+  {
+    int Component = 0;
+    float Weight = 1.f;
+    std::vector<float> Extinction; // of scalars, per unit of length in the volume's coordinates
+    float First = 0.f;             // the scalar of its first entry
+    float PerScalar = 0.f;         // entries
+    // Of the gradient's length, from 0 to a quarter of the scalars' range, beyond which it stays;
+    // empty: none. The length is that of differences of neighbours, each times its weight.
+    std::vector<float> GradientOpacity;
+    glm::vec3 Weights{ 1.f };
+    std::vector<glm::vec3> Tints; // of the scalars of the component TintBy; empty: none
+    int TintBy = 0;
+    float FirstTint = 0.f;
+    float PerTint = 0.f;
+    Curve Opacity; // for GetDepth
+    Curve Gradient;
+    double Range[2] = { 0.0, 1.0 };
+    double Unit = 1.0;
+    double Steepest = 1.0; // gradient length, where the gradient's table ends
+
+    void AddTints(vtkVolumeProperty* property, vtkDataArray* array, int function);
+  };
+
+  Channel MakeChannel(
+    vtkVolumeProperty* property, vtkImageData* image, int component, int function) const;
+  void Hide(vtkImageData* image, bool cells);
+  std::string Mask(vtkVolumeMapper* mapper);
+  bool SetPlace(const glm::dmat4& toWorld, const glm::dmat4& indexToData);
+  void SetCuts(vtkVolumeMapper* mapper, const glm::dmat4& indexToData);
+
+  template <typename Real>
+  bool IsThere(const glm::vec<3, Real>& place) const;
+  template <typename T, typename Real>
+  Real GetScalar(const T* values, int component, const glm::vec<3, Real>& place) const;
+  template <typename T>
+  float GetExtinction(const Channel& channel, const T* values, const glm::vec3& place) const;
+  template <typename T>
+  glm::vec4 GetAll(const T* values, const glm::vec3& place, bool tinted) const;
+  template <typename T>
+  double GetExact(const T* values, const glm::dvec3& place) const;
   template <typename T>
   void March(const T* values, const glm::dvec3& from, const glm::dvec3& step, double first,
-    double last, int samples, std::vector<float>& depths) const;
+    double last, int samples, std::vector<float>& depths, std::vector<glm::vec3>& tints) const;
   template <typename T>
-  float GetScalar(const T* values, const glm::vec3& place) const;
-  template <typename T>
-  float GetExtinction(const T* values, const glm::vec3& place) const;
+  double Integrate(const T* values, const glm::dvec3& from, const glm::dvec3& along, double first,
+    double last) const;
+  std::vector<double> GetBorders(
+    const glm::dvec3& from, const glm::dvec3& along, double first, double last) const;
   bool Clip(const glm::dvec3& from, const glm::dvec3& step, double& first, double& last) const;
 
   vtkSmartPointer<vtkDataArray> Array;
-  int Component = 0;
+  std::vector<Channel> Channels;
   int Size[3] = { 1, 1, 1 };   // samples
   double Low[3] = { 0, 0, 0 }; // of the box, in indices of samples
   double High[3] = { 0, 0, 0 };
@@ -95,13 +169,10 @@ private:
   std::vector<glm::dvec4> Planes;        // in world coordinates: positive inside
   int Cropped = -1;                      // flags of the 27 regions; -1: none is cut
   double Crop[6] = { 0, 0, 0, 0, 0, 0 }; // in indices of samples
-  std::vector<float> Extinction; // of scalars, per unit of length in the volume's coordinates
-  float First = 0.f;             // the scalar of its first entry
-  float PerScalar = 0.f;         // entries
-  // Of the gradient's length, from 0 to a quarter of the scalars' range, beyond which it stays;
-  // empty: none. The length is that of differences of neighbours, each times its weight.
-  std::vector<float> GradientOpacity;
-  glm::vec3 Weights{ 1.f };
+  // Whether nothing is drawn between a sample and the next ones; of samples, whether their mask is
+  // 0. Null: drawn everywhere.
+  std::shared_ptr<std::vector<bool>> Hidden;
+  std::shared_ptr<std::vector<bool>> Masked;
 };
 
 #endif

@@ -17,6 +17,9 @@
 #include <glm/vec4.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace
@@ -27,9 +30,29 @@ constexpr int Step = 32;
 // exp(-64) is darkness. Half floats end at 65504, and filters make NaN of infinite texels.
 constexpr float Deepest = 64.f;
 
+// Numbers of nodes that are chosen for goals.
+const int NodeCounts[] = { 32, 64, 128, 256, 512, 1024 };
+// Estimates have errors: they must be this much below a tolerance.
+constexpr double Margin = 1.2;
+constexpr int FewestPlaces = 256; // of an estimate
+constexpr int MostPlaces = 4096;
+// Of a node on common machines, until one was made.
+constexpr double UsualMilliseconds = 3e-5;
+// Larger textures are refused.
+constexpr double MostBytes = 1073741824.0;
+
 int RoundUp(int size)
 {
   return (size + Step - 1) / Step * Step;
+}
+
+double CountNodes(const std::vector<vtkRelievoVolumeExtinction>& fields,
+  const vtkRelievoOpticalDepths::Source& source, int most)
+{
+  vtkRelievoOpticalDepths depths;
+  depths.Lay(fields, source, most);
+  const glm::dvec3 size(depths.GetSize());
+  return size.x * size.y * size.z;
 }
 
 // To detect errors of the calls that follow.
@@ -64,13 +87,18 @@ std::string vtkRelievoVolumeShade::Update(
   GLint limit = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
   const int lights = static_cast<int>(sources.size());
-  const int most = std::min(Most, limit / Step / std::max(1, lights) * Step - Step);
+  const int room = limit / Step / std::max(1, lights) * Step - Step;
   std::vector<std::uint64_t> state;
   for (const vtkRelievoPlacedVolume& volume : this->Casters)
   {
-    vtkRelievoVolumeExtinction::AddState(volume, state);
+    vtkRelievoVolumeExtinction::AddState(volume, this->Colored, state);
   }
-  state.push_back(static_cast<std::uint64_t>(most));
+  // Goals in a millionth and in microseconds.
+  for (const double setting : { static_cast<double>(room), static_cast<double>(this->Nodes),
+         1e6 * this->Goals.Tolerance, 1e3 * this->Goals.Milliseconds, this->Colored ? 1.0 : 0.0 })
+  {
+    state.push_back(static_cast<std::uint64_t>(setting));
+  }
   const bool changed = state != this->State;
   if (!changed && !this->Fault.empty() && sources == this->Sources)
   {
@@ -87,12 +115,13 @@ std::string vtkRelievoVolumeShade::Update(
     {
       std::string why;
       for (const vtkRelievoVolumeExtinction& field :
-        vtkRelievoVolumeExtinction::Collect(volume, why))
+        vtkRelievoVolumeExtinction::Collect(volume, why, this->Colored))
       {
         this->Fields.push_back(field);
       }
       this->NotTraced += why.empty() ? std::string() : "; a volume casts none: " + why;
     }
+    this->Shares.clear();
   }
   if (this->Fields.empty() || sources.empty())
   {
@@ -109,16 +138,34 @@ std::string vtkRelievoVolumeShade::Update(
     this->Fault = fault;
     return fault;
   };
-  if (most < Step)
+  if (room < Step)
   {
     return refuse("this OpenGL has no room for the depths of volumes towards " +
       std::to_string(lights) + " lights");
   }
+  this->Tinted = std::any_of(this->Fields.begin(), this->Fields.end(),
+    [](const vtkRelievoVolumeExtinction& field) { return field.HasTints(); });
+  const int most = this->ChooseNodes(sources, room);
+  const bool resized = most != this->NodesMade;
+  this->NodesMade = most;
+  double bytes = 0.0;
+  for (const vtkRelievoOpticalDepths::Source& source : sources)
+  {
+    bytes += 2.0 * this->GetChannels() * CountNodes(this->Fields, source, most);
+  }
+  if (bytes > MostBytes)
+  {
+    return refuse("the depths of volumes would take " +
+      std::to_string(static_cast<long long>(bytes / 1048576.0)) + " MiB, more than " +
+      std::to_string(static_cast<long long>(MostBytes / 1048576.0)) +
+      "; lower volume_nodes, which is " + std::to_string(most));
+  }
   std::vector<std::size_t> made;
+  const auto began = std::chrono::steady_clock::now();
   this->Depths.resize(sources.size());
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    if (all || i >= this->Sources.size() || !(this->Sources[i] == sources[i]))
+    if (all || resized || i >= this->Sources.size() || !(this->Sources[i] == sources[i]))
     {
       this->Depths[i].Make(this->Fields, sources[i], most);
       made.push_back(i);
@@ -138,6 +185,18 @@ std::string vtkRelievoVolumeShade::Update(
     }
   }
   this->Made = static_cast<int>(made.size());
+  double nodes = 0.0;
+  for (const std::size_t light : made)
+  {
+    nodes += static_cast<double>(this->Depths[light].GetDepths().size());
+  }
+  if (nodes > 0.0)
+  {
+    const auto took = std::chrono::steady_clock::now() - began;
+    const double each = std::chrono::duration<double, std::milli>(took).count() / nodes;
+    const bool first = all || this->MillisecondsPerNode == 0.0;
+    this->MillisecondsPerNode = first ? each : std::min(this->MillisecondsPerNode, each);
+  }
   if (!this->Texture || !std::all_of(made.begin(), made.end(), [this](std::size_t light) {
         return this->Upload(light);
       }))
@@ -145,6 +204,75 @@ std::string vtkRelievoVolumeShade::Update(
     return refuse("this OpenGL has no memory for the depths of volumes towards lights");
   }
   return std::string();
+}
+
+//------------------------------------------------------------------------------
+// The fewest nodes that meet the tolerance, but not more than there is time for.
+int vtkRelievoVolumeShade::ChooseNodes(
+  const std::vector<vtkRelievoOpticalDepths::Source>& sources, int limit)
+{
+  this->WrongShare = -1.0;
+  int chosen = std::min(this->Nodes, limit);
+  if (this->Goals.Tolerance > 0.0)
+  {
+    this->EstimateShares(limit);
+    chosen = this->Shares.back().first;
+    this->WrongShare = this->Shares.back().second;
+  }
+  if (this->Goals.Milliseconds > 0.0)
+  {
+    const double each =
+      this->MillisecondsPerNode > 0.0 ? this->MillisecondsPerNode : UsualMilliseconds;
+    int fast = NodeCounts[0];
+    for (const int count : NodeCounts)
+    {
+      double nodes = 0.0;
+      for (const vtkRelievoOpticalDepths::Source& source : sources)
+      {
+        nodes += CountNodes(this->Fields, source, count);
+      }
+      fast = each * nodes <= this->Goals.Milliseconds ? count : fast;
+    }
+    chosen = std::min(fast, chosen);
+    for (const auto& share : this->Shares)
+    {
+      this->WrongShare = share.first == chosen ? share.second : this->WrongShare;
+    }
+  }
+  return chosen;
+}
+
+//------------------------------------------------------------------------------
+// For the light of a sun from an oblique direction, so that the choice does not change while lights
+// move. The last one is small enough, or the best.
+void vtkRelievoVolumeShade::EstimateShares(int limit)
+{
+  if (!this->Shares.empty())
+  {
+    return;
+  }
+  vtkRelievoOpticalDepths::Source source;
+  source.Direction = glm::normalize(glm::dvec3(-0.31, -0.83, -0.47));
+  // A share is found by at least a few wrong places.
+  const int places = static_cast<int>(
+    std::min<double>(std::max<double>(4.0 / this->Goals.Tolerance, FewestPlaces), MostPlaces));
+  glm::ivec3 before(0);
+  for (const int count : NodeCounts)
+  {
+    vtkRelievoOpticalDepths depths;
+    depths.Lay(this->Fields, source, count);
+    if (!this->Shares.empty() && (count > limit || depths.GetSize() == before))
+    {
+      break; // there are no more nodes than voxels
+    }
+    before = depths.GetSize();
+    const double share = depths.EstimateWrongShare(this->Fields, source, Slack, places);
+    this->Shares.emplace_back(std::min(count, limit), std::max(share, 0.0));
+    if (share * Margin <= this->Goals.Tolerance)
+    {
+      break;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -160,8 +288,9 @@ bool vtkRelievoVolumeShade::Allocate(int lights)
     }
   }
   // A size that would do keeps: maps of a light that turns need more and less.
-  const bool fits = this->Texture && this->Slices * lights <= this->Size[2] &&
-    size[0] <= this->Size[0] && size[1] <= this->Size[1] && size[2] <= this->Slices &&
+  const bool fits = this->Texture && this->Channels == this->GetChannels() &&
+    this->Slices * lights <= this->Size[2] && size[0] <= this->Size[0] &&
+    size[1] <= this->Size[1] && size[2] <= this->Slices &&
     this->Size[2] <= 2 * this->Slices * lights;
   if (fits)
   {
@@ -172,6 +301,7 @@ bool vtkRelievoVolumeShade::Allocate(int lights)
     glDeleteTextures(1, &this->Texture);
     this->Texture = 0;
   }
+  this->Channels = this->GetChannels();
   this->Slices = size[2];
   std::copy(size, size + 3, this->Size);
   this->Size[2] *= lights;
@@ -180,8 +310,8 @@ bool vtkRelievoVolumeShade::Allocate(int lights)
   glGetIntegerv(GL_TEXTURE_BINDING_3D, &others);
   glGenTextures(1, &this->Texture);
   glBindTexture(GL_TEXTURE_3D, this->Texture);
-  glTexImage3D(GL_TEXTURE_3D, 0, GL_R16F, this->Size[0], this->Size[1], this->Size[2], 0, GL_RED,
-    GL_FLOAT, nullptr);
+  glTexImage3D(GL_TEXTURE_3D, 0, this->Tinted ? GL_RGBA16F : GL_R16F, this->Size[0], this->Size[1],
+    this->Size[2], 0, this->Tinted ? GL_RGBA : GL_RED, GL_FLOAT, nullptr);
   const bool there = glGetError() == GL_NO_ERROR;
   glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -206,9 +336,9 @@ bool vtkRelievoVolumeShade::Upload(std::size_t light)
   const glm::ivec3& size = depths.GetSize();
   const glm::ivec3 padded =
     glm::min(size + 1, glm::ivec3(this->Size[0], this->Size[1], this->Slices));
-  const std::size_t row = size.x;
-  const std::size_t slice = row * size.y;
-  std::vector<float> texels(static_cast<std::size_t>(padded.x) * padded.y);
+  const int channels = this->GetChannels();
+  std::vector<float> texels(static_cast<std::size_t>(padded.x) * padded.y * channels);
+  const bool tinted = !depths.GetTints().empty();
   ClearErrors();
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -217,17 +347,22 @@ bool vtkRelievoVolumeShade::Upload(std::size_t light)
   glBindTexture(GL_TEXTURE_3D, this->Texture);
   for (int k = 0; k < padded.z; ++k)
   {
-    const float* from = depths.GetDepths().data() + slice * std::min(k, size.z - 1);
     auto to = texels.begin();
     for (int j = 0; j < padded.y; ++j)
     {
-      const float* line = from + row * std::min(j, size.y - 1);
-      const auto capped = [](float depth) { return std::min(depth, Deepest); };
-      to = std::transform(line, line + row, to, capped);
-      to = std::fill_n(to, padded.x - size.x, capped(line[row - 1]));
+      for (int i = 0; i < padded.x; ++i)
+      {
+        const glm::ivec3 at = glm::min(glm::ivec3(i, j, k), size - 1);
+        const std::size_t node = at.x + size.x * (at.y + size.y * static_cast<std::size_t>(at.z));
+        for (int color = 0; color < channels - 1; ++color)
+        {
+          *to++ = tinted ? std::min(depths.GetTints()[node][color], Deepest) : 0.f;
+        }
+        *to++ = std::min(depths.GetDepths()[node], Deepest);
+      }
     }
     glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, static_cast<GLint>(light) * this->Slices + k, padded.x,
-      padded.y, 1, GL_RED, GL_FLOAT, texels.data());
+      padded.y, 1, channels > 1 ? GL_RGBA : GL_RED, GL_FLOAT, texels.data());
   }
   const bool there = glGetError() == GL_NO_ERROR;
   glBindTexture(GL_TEXTURE_3D, static_cast<GLuint>(others));
@@ -326,6 +461,15 @@ std::string vtkRelievoVolumeShade::GetReport() const
     const glm::ivec3& size = this->Depths[0].GetSize();
     out << ", depths of volumes in " << size.x << " x " << size.y << " x " << size.z
         << " nodes for each light, " << this->Made << " made anew";
+    if (this->Goals.IsSet())
+    {
+      out << ", at most " << this->NodesMade << " along an axis, chosen for the goal";
+    }
+    if (this->WrongShare >= 0.0)
+    {
+      out << ", expected share of places wrong by more than " << Slack << " "
+          << std::setprecision(2) << 100.0 * this->WrongShare << " %";
+    }
   }
   out << this->NotTraced;
   return out.str();
@@ -334,7 +478,9 @@ std::string vtkRelievoVolumeShade::GetReport() const
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoVolumeShade::GetBytes() const
 {
-  return this->Texture ? vtkIdType(2) * this->Size[0] * this->Size[1] * this->Size[2] : 0;
+  return this->Texture
+    ? vtkIdType(2) * this->Channels * this->Size[0] * this->Size[1] * this->Size[2]
+    : 0;
 }
 
 //------------------------------------------------------------------------------

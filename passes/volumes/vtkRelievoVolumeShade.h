@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -30,8 +31,30 @@ public:
   vtkRelievoVolumeShade(const vtkRelievoVolumeShade&) = delete;
   void operator=(const vtkRelievoVolumeShade&) = delete;
 
-  // The volumes that cast in this frame.
-  void SetCasters(const std::vector<vtkRelievoPlacedVolume>& volumes) { this->Casters = volumes; }
+  // The volumes that cast in this frame. `colored`: their colours colour the light.
+  void SetCasters(const std::vector<vtkRelievoPlacedVolume>& volumes, bool colored)
+  {
+    this->Casters = volumes;
+    this->Colored = colored;
+  }
+
+  // Goals for the number of nodes. Tolerance: the share of places whose light may be wrong by more
+  // than Slack. Milliseconds: of making the depths towards all lights. 0: none.
+  struct Goal
+  {
+    double Tolerance = 0.0;
+    double Milliseconds = 0.0;
+
+    bool IsSet() const { return this->Tolerance > 0.0 || this->Milliseconds > 0.0; }
+  };
+  static constexpr double Slack = 0.02;
+
+  // The most nodes along an axis, without a goal.
+  void SetNodes(int most, const Goal& goal)
+  {
+    this->Nodes = most;
+    this->Goals = goal;
+  }
 
   // For each light that Update is given, the tangent of half the angle of its rays; 0 unless it is
   // a sun with a size.
@@ -46,6 +69,13 @@ public:
   // Whether shaders have to look the depths up; whether a light is among the volumes.
   bool IsMade() const { return this->Texture != 0; }
   bool IsAround() const;
+
+  // Whether the light that passes is coloured.
+  bool IsTinted() const { return this->Tinted; }
+
+  // The most nodes of the latest grids, and the expected share of wrong places; -1: unknown.
+  int GetNodesMade() const { return this->Texture ? this->NodesMade : 0; }
+  double GetExpectedWrongShare() const { return this->Texture ? this->WrongShare : -1.0; }
 
   // Whether a sun's rays are spread.
   bool IsSpread() const;
@@ -63,15 +93,23 @@ public:
   vtkIdType GetBytes() const; // of the texture
   void Release(vtkWindow* window);
 
-  // Nodes along each axis of a grid.
-  static constexpr int Most = 256;
-
 private:
+  int ChooseNodes(const std::vector<vtkRelievoOpticalDepths::Source>& sources, int limit);
+  void EstimateShares(int limit);
+  int GetChannels() const { return this->Tinted ? 4 : 1; } // of a texel
   bool Allocate(int lights);
   bool Upload(std::size_t light);
 
   std::vector<vtkRelievoPlacedVolume> Casters;
-  std::vector<std::uint64_t> State; // of the fields and the most nodes
+  bool Colored = false;
+  bool Tinted = false;
+  int Nodes = 256;
+  Goal Goals;
+  int NodesMade = 0;
+  double WrongShare = -1.0;
+  double MillisecondsPerNode = 0.0;           // the latest; 0: unknown
+  std::vector<std::pair<int, double>> Shares; // expected, by the most nodes, of these fields
+  std::vector<std::uint64_t> State;           // of the fields and the settings
   std::vector<vtkRelievoVolumeExtinction> Fields;
   std::string Fault;     // why this OpenGL refused them
   std::string NotTraced; // the volumes that cast none, with reasons
@@ -84,6 +122,7 @@ private:
   unsigned int Texture = 0;
   int Size[3] = { 0, 0, 0 }; // of the texture
   int Slices = 0;            // of a light
+  int Channels = 1;          // of its texels
   int Unit = -1;
 };
 

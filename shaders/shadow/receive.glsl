@@ -6,7 +6,8 @@
 // Defines, by vtkRelievoShadowSplice: RELIEVO_SHADOW_LIGHTS (casting lights), RELIEVO_SHADOW_FACES
 // (number of their maps), RELIEVO_SHADOW_NUMBERS (lights of the renderer), RELIEVO_SHADOW_WIDE (the
 // filter's radius is above 1), RELIEVO_SHADOW_PARTS (of each soft sun), RELIEVO_SHADOW_COLORED
-// (surfaces colour the transmitted light), and by the mapper's shader: RELIEVO_SHADOW_TRIANGLES
+// (surfaces colour the transmitted light), RELIEVO_VOLUME_TINTED (volumes do), and by the mapper's
+// shader: RELIEVO_SHADOW_TRIANGLES
 // (planes come from derivatives), RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor,
 // normalVCVSOutput is exact). Names shared with other splices: splice/contract.glsl.
 //
@@ -47,7 +48,7 @@ uniform int relievoShadowFaces; // whether faces are drawn, not their edges or c
 #endif
 //RELIEVO::Include(shadow/lookup.glsl)
 float relievoVisibility[RELIEVO_SHADOW_LIGHTS];
-#ifdef RELIEVO_SHADOW_COLORED
+#if defined(RELIEVO_SHADOW_COLORED) || defined(RELIEVO_VOLUME_TINTED)
 vec3 relievoShadowColors[RELIEVO_SHADOW_LIGHTS]; // per colour channel
 #define RELIEVO_SHADOW_LEFT(slot) relievoShadowColors[slot]
 #else
@@ -164,12 +165,15 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 //RELIEVO::Include(volumes/shade.glsl)
 
 //RELIEVO::Section(ShadeImpl)
+#if defined(RELIEVO_VOLUME_TINTED) && !defined(RELIEVO_SHADOW_COLORED)
+  relievoShadowColors[RELIEVO_SLOT] = vec3(relievoVisibility[RELIEVO_SLOT]);
+#endif
   if (relievoShadowInner >= 0.0)
   {
-    float passes = relievoVolumePasses(RELIEVO_SLOT, RELIEVO_SHADOW_POSITION);
-    relievoVisibility[RELIEVO_SLOT] *= passes;
-#ifdef RELIEVO_SHADOW_COLORED
-    relievoShadowColors[RELIEVO_SLOT] *= passes;
+    RELIEVO_VOLUME_SHARE passes = relievoVolumePasses(RELIEVO_SLOT, RELIEVO_SHADOW_POSITION);
+    relievoVisibility[RELIEVO_SLOT] *= RELIEVO_VOLUME_WHOLE(passes);
+#if defined(RELIEVO_SHADOW_COLORED) || defined(RELIEVO_VOLUME_TINTED)
+    relievoShadowColors[RELIEVO_SLOT] *= RELIEVO_VOLUME_COLORS(passes);
 #endif
   }
 

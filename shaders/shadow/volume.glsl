@@ -30,7 +30,7 @@ relievoVolumeLit(RELIEVO_NUMBER) * in_light
 uniform float relievoShadowStrength[RELIEVO_SHADOW_LIGHTS];
 uniform int relievoVolumeSlot[RELIEVO_VOLUME_NUMBERS]; // of a light in VTK's shader; -1: casts none
 //RELIEVO::Include(shadow/maps.glsl)
-#ifdef RELIEVO_SHADOW_COLORED
+#if defined(RELIEVO_SHADOW_COLORED) || defined(RELIEVO_VOLUME_TINTED)
 #define RELIEVO_VOLUME_LEFT vec3
 vec3 relievoShadowColors[RELIEVO_SHADOW_LIGHTS];
 #else
@@ -92,7 +92,8 @@ RELIEVO_VOLUME_PAST
   }
 
 //RELIEVO::Section(ShadeImpl)
-    lit *= relievoVolumePasses(RELIEVO_SLOT, g_dataPos);
+    lit *= RELIEVO_VOLUME_LEFT(
+      RELIEVO_VOLUME_COLORS(relievoVolumePasses(RELIEVO_SLOT, g_dataPos)));
 
 //RELIEVO::Section(MapImpl)
     lit *= relievoVolumeInMap(RELIEVO_FACE);

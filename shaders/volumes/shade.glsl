@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The share of a light that volumes let pass (vtkRelievoVolumeShade). The includer defines
 // RELIEVO_SHADOW_LIGHTS, the number of lights, RELIEVO_VOLUME_AROUND if one is among the volumes,
-// and RELIEVO_VOLUME_SPREAD if a sun has a size; then with shadow/soft.glsl where pixels have parts
-// of its disc (RELIEVO_SHADOW_PARTS).
+// RELIEVO_VOLUME_TINTED if they colour the light, RELIEVO_VOLUME_SPREAD if a sun has a size; then
+// with shadow/soft.glsl where pixels have parts of its disc (RELIEVO_SHADOW_PARTS).
 //RELIEVO::Include(volumes/texel.glsl)
 uniform sampler3D relievoVolumeDepths; // of all lights, one behind the other
 uniform vec3 relievoVolumeTexture;     // its size
@@ -11,12 +11,25 @@ uniform float relievoVolumeSlices;     // of a light
 uniform mat4 relievoVolumeMatrix[RELIEVO_SHADOW_LIGHTS]; // from a place to `map`
 uniform vec4 relievoVolumeSize[RELIEVO_SHADOW_LIGHTS];   // w: whether it is around the light
 
+// With RELIEVO_VOLUME_TINTED: the shares of red, green and blue, and last that without colours.
+#ifdef RELIEVO_VOLUME_TINTED
+#define RELIEVO_VOLUME_SHARE vec4
+#define RELIEVO_VOLUME_WHOLE(share) (share).w
+#define RELIEVO_VOLUME_COLORS(share) (share).rgb
+#define RELIEVO_VOLUME_PASSES(texel) exp(-vec4((texel).rgb + (texel).a, (texel).a))
+#else
+#define RELIEVO_VOLUME_SHARE float
+#define RELIEVO_VOLUME_WHOLE(share) (share)
+#define RELIEVO_VOLUME_COLORS(share) (share)
+#define RELIEVO_VOLUME_PASSES(texel) exp(-(texel).r)
+#endif
+
 #ifdef RELIEVO_VOLUME_SPREAD
 // Of a sun's rays: texels aside per slice behind the volumes' middle, and that slice.
 uniform vec3 relievoVolumeSpread[RELIEVO_SHADOW_LIGHTS];
 #endif
 
-float relievoVolumePassesAt(int slot, vec4 map)
+RELIEVO_VOLUME_SHARE relievoVolumePassesAt(int slot, vec4 map)
 {
   vec3 texel = relievoVolumeTexel(map, relievoVolumeSize[slot].xyz);
   bool there = map.w > 0.0;
@@ -26,14 +39,14 @@ float relievoVolumePassesAt(int slot, vec4 map)
   there = there || around;
 #endif
   texel.z += float(slot) * relievoVolumeSlices;
-  float depth = texture(relievoVolumeDepths, (texel + 0.5) / relievoVolumeTexture).r;
-  return there ? exp(-depth) : 1.0;
+  vec4 depths = texture(relievoVolumeDepths, (texel + 0.5) / relievoVolumeTexture);
+  return there ? RELIEVO_VOLUME_PASSES(depths) : RELIEVO_VOLUME_SHARE(1.0);
 }
 
 #ifdef RELIEVO_VOLUME_SPREAD
 // For a ray of a disc of the sky, to one of a spiral of points. The rays meet the volumes about at
 // their middle.
-float relievoVolumePassesAside(int slot, vec4 map, int point, int points)
+RELIEVO_VOLUME_SHARE relievoVolumePassesAside(int slot, vec4 map, int point, int points)
 {
   vec3 spread = relievoVolumeSpread[slot];
   float angle = 2.3999632 * float(point);
@@ -43,7 +56,7 @@ float relievoVolumePassesAside(int slot, vec4 map, int point, int points)
 }
 #endif
 
-float relievoVolumePasses(int slot, vec3 place)
+RELIEVO_VOLUME_SHARE relievoVolumePasses(int slot, vec3 place)
 {
   vec4 map = relievoVolumeMatrix[slot] * vec4(place, 1.0);
 #ifdef RELIEVO_VOLUME_SPREAD
@@ -51,7 +64,7 @@ float relievoVolumePasses(int slot, vec3 place)
 #ifdef RELIEVO_SHADOW_PARTS
   return relievoVolumePassesAside(slot, map, relievoShadowPartNumber(), RELIEVO_SHADOW_PARTS);
 #else
-  float sum = 0.0;
+  RELIEVO_VOLUME_SHARE sum = RELIEVO_VOLUME_SHARE(0.0);
   for (int i = 0; i < 8; ++i)
   {
     sum += relievoVolumePassesAside(slot, map, i, 8);

@@ -40,6 +40,7 @@ UNSHOWN = {
     "command-start", "compare-faults", "compare-frames",
     "environment-frames", "lamp-shadows", "lights-peer", "normal-maps", "paraview-frames",
     "planner-cases", "relief-geometry", "shadow-frames", "tone", "tone-dither", "tone-frames",
+    "volume-frames",
 }  # fmt: skip
 
 
@@ -233,6 +234,11 @@ TRUTH = {
         lambda row: row["method"] == "studio" and row["map"] == "cool-warm",
         lambda row: row["method"] in ("studio", "studio, before", "VTK's headlight")),
     "soft-shadows": points("soft-shadows", soft_panel, "[method]", "[samples]", "[penumbra rms]"),
+    "volumes": points(
+        "volumes", "[scene]", "[method]", "[milliseconds]",
+        lambda row: str(max(1e-7, float(row["rms"]))),
+        lambda row: row["method"] == "grid" and row["setting"] == "256",
+        lambda row: row["size"] == "128"),
     "exact-hard": exact_hard("with ties", "[wrong %]")
     + exact_hard("without ties", "[wrong without ties %]") + exact_hard("expected", "[expected %]"),
     "ambient": points(

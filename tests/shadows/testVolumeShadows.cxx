@@ -17,6 +17,7 @@
 #include <vtkActor.h>
 #include <vtkAssembly.h>
 #include <vtkCamera.h>
+#include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDoubleArray.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
@@ -35,8 +36,10 @@
 #include <vtkRelievoAntialiasStage.h>
 #include <vtkRelievoOpticalDepths.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoShadowCertificate.h>
 #include <vtkRelievoShadowStage.h>
 #include <vtkRelievoVolumeExtinction.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
@@ -97,6 +100,13 @@ struct Volume
     vtkRelievoOpticalDepths depths;
     depths.Make(fields, source, 256);
     return depths.GetDepth(place);
+  }
+
+  double GetExact(const Source& source, const glm::dvec3& place) const
+  {
+    std::string why;
+    return vtkRelievoOpticalDepths::GetExactDepth(
+      vtkRelievoVolumeExtinction::Collect(this->Prop.Get(), why), source, place);
   }
 
   vtkNew<vtkImageData> Image;
@@ -263,6 +273,154 @@ void TestSmooth()
     }
   }
   RELIEVO_CHECK_AT_MOST(worst, 6e-3, "a ball: depth");
+}
+
+// Rays in double: a box, a ramp whose opacity function bends within a voxel, and a step.
+void TestExact()
+{
+  Volume box(17, Constant(0.7));
+  const Source oblique = Sun({ 0.3, -1.0, 0.2 });
+  const Source lamp = Lamp({ 0.4, 0.5, 0.6 });
+  for (const glm::dvec3& place :
+    { glm::dvec3(0.31, 0.62, 0.27), glm::dvec3(0.6, -0.4, 0.55), glm::dvec3(2.0, 0.5, 0.4) })
+  {
+    for (const Source& source : { oblique, lamp })
+    {
+      const double chord = GetChord(source, place, glm::dvec3(0.0), glm::dvec3(1.0));
+      RELIEVO_CHECK_NEAR(box.GetExact(source, place), Sigma * chord, 1e-7, "a box in double");
+    }
+  }
+  // Opacities bend in the middle of a voxel: the extinction is -log(1 - f(z)).
+  Volume bent(4, [](const glm::dvec3& place) { return place.z; });
+  bent.Opacity->RemoveAllPoints();
+  bent.Opacity->AddPoint(0.0, 0.0);
+  bent.Opacity->AddPoint(0.5, 0.8);
+  bent.Opacity->AddPoint(1.0, 0.0);
+  // Twice the integral of -log(1 - 1.6 z) up to 0.5: -(q log q - q) / 1.6 at q = 0.2 and 1.
+  const double half = ((0.2 * std::log(0.2) - 0.2) + 1.0) / 1.6;
+  RELIEVO_CHECK_NEAR(
+    bent.GetExact(Sun({ 0, 0, -1 }), { 0.5, 0.5, -1.0 }), 2.0 * half, 2e-5, "a bent function");
+  bent.Prop->GetProperty()->SetInterpolationTypeToNearest();
+  RELIEVO_CHECK_NEAR(bent.GetExact(Sun({ 0, 0, -1 }), { 0.5, 0.5, -1.0 }),
+    -2.0 / 3.0 * std::log(1.0 - 1.6 / 3.0), 1e-7, "steps of voxels");
+}
+
+// Masks, blanked points and cells, and independent components.
+void TestCut()
+{
+  const Source down = Sun({ 0, 0, -1 });
+  const glm::dvec3 below(0.5625, 0.5625, -1.0); // in the middle of cells
+  Volume volume(9, Constant(0.7));              // eight cells, each of depth Sigma / 8
+  const auto check = [&](double share, double slack, const std::string& what) {
+    RELIEVO_CHECK_NEAR(volume.GetExact(down, below), share * Sigma, 1e-6, what + ", in double");
+    RELIEVO_CHECK_NEAR(volume.GetDepth(down, below), share * Sigma, slack, what);
+  };
+  // A sample has the half cells around it.
+  if (auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(volume.Mapper))
+  {
+    vtkNew<vtkImageData> mask;
+    mask->SetDimensions(9, 9, 9);
+    mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    for (int i = 0; i < 729; ++i)
+    {
+      static_cast<unsigned char*>(mask->GetScalarPointer())[i] = i / 81 < 3 ? 255 : 0;
+    }
+    gpu->SetMaskInput(mask);
+    gpu->SetMaskTypeToBinary();
+    check(2.5 / 8.0, 0.07 * Sigma, "a mask");
+    gpu->SetMaskTypeToLabelMap();
+    std::string why;
+    RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(volume.Prop.Get(), why).empty());
+    RELIEVO_CHECK(why.find("its mask is a label map") == 0);
+    mask->SetDimensions(3, 9, 9);
+    mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    gpu->SetMaskTypeToBinary();
+    RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(volume.Prop.Get(), why).empty());
+    RELIEVO_CHECK(why.find("its mask and its image") == 0);
+    gpu->SetMaskInput(nullptr);
+  }
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(729);
+  ghosts->Fill(0);
+  ghosts->SetValue(4 + 9 * (4 + 9 * 2), vtkDataSetAttributes::HIDDENPOINT);
+  volume.Image->GetPointData()->AddArray(ghosts);
+  check(6.0 / 8.0, 1e-5, "a blanked point");
+  volume.Image->GetPointData()->RemoveArray(ghosts->GetName());
+  vtkNew<vtkUnsignedCharArray> cells;
+  cells->SetName(vtkDataSetAttributes::GhostArrayName());
+  cells->SetNumberOfValues(512);
+  cells->Fill(0);
+  cells->SetValue(4 + 8 * (4 + 8 * 2), vtkDataSetAttributes::HIDDENCELL);
+  volume.Image->GetCellData()->AddArray(cells);
+  check(7.0 / 8.0, 0.07 * Sigma, "a blanked cell");
+  volume.Image->GetCellData()->RemoveArray(cells->GetName());
+
+  // Extinctions s and t of weights v and w are VTK's (s^2 + t^2) / (v s + w t) for small steps.
+  volume.Image->AllocateScalars(VTK_UNSIGNED_CHAR, 2);
+  auto* values = static_cast<unsigned char*>(volume.Image->GetScalarPointer());
+  for (int i = 0; i < 729; ++i)
+  {
+    values[2 * i] = i % 2 ? 51 : 50; // a range
+    values[2 * i + 1] = i % 2 ? 102 : 101;
+  }
+  vtkVolumeProperty* property = volume.Prop->GetProperty();
+  property->IndependentComponentsOn();
+  const double first = 0.5;
+  const double second = 1.5;
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(0.0, 1.0 - std::exp(i ? -second : -first));
+    property->SetScalarOpacity(i, opacity);
+  }
+  property->SetComponentWeight(1, 0.5);
+  const double both = (first * first + second * second) / (first + 0.5 * second);
+  RELIEVO_CHECK_NEAR(volume.GetExact(down, below), both, 1e-6, "two components, in double");
+  RELIEVO_CHECK_NEAR(volume.GetDepth(down, below), both, 1e-4, "two components");
+  property->SetComponentWeight(1, 0.0);
+  RELIEVO_CHECK_NEAR(volume.GetDepth(down, below), first, 1e-4, "one that weighs nothing");
+}
+
+// Anisotropic voxels, direction matrices, scalar types, thin and opaque extremes: closed forms.
+void TestHard()
+{
+  for (const int type : { VTK_SIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_INT, VTK_LONG_LONG, VTK_DOUBLE })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(3, 33, 9);
+    image->SetSpacing(0.5, 0.03, 0.4);
+    image->SetOrigin(1e5, -2e5, 3e5);
+    const double turn[9] = { 0.8, 0.0, 0.6, 0.36, 0.8, -0.48, -0.48, 0.6, 0.64 };
+    image->SetDirectionMatrix(turn);
+    image->AllocateScalars(type, 1);
+    for (int i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      image->GetPointData()->GetScalars()->SetTuple1(i, i % 3 ? 100.0 : 20.0);
+    }
+    Volume volume(2, Constant(0.7));
+    volume.Mapper->SetInputData(image);
+    volume.Opacity->RemoveAllPoints();
+    volume.Opacity->AddPoint(20.0, 0.7);
+    volume.Opacity->AddPoint(100.0, 0.7);
+    // Along the image's second axis, through its middle.
+    const glm::dvec3 axis(turn[1], turn[4], turn[7]);
+    const glm::dvec3 middle = glm::dvec3(1e5, -2e5, 3e5) +
+      0.5 * glm::dvec3(turn[0], turn[3], turn[6]) + 0.48 * axis +
+      1.6 * glm::dvec3(turn[2], turn[5], turn[8]);
+    const std::string what = "type " + std::to_string(type);
+    const Source source = Sun(axis);
+    RELIEVO_CHECK_NEAR(
+      volume.GetExact(source, middle + 2.0 * axis), 0.96 * Sigma, 1e-6, what + ", in double");
+    RELIEVO_CHECK_NEAR(volume.GetDepth(source, middle + 2.0 * axis), 0.96 * Sigma, 1e-3, what);
+    RELIEVO_CHECK_NEAR(volume.GetDepth(source, middle), 0.48 * Sigma, 2e-2, what + ", half of it");
+    for (const double unit : { 1e-3, 1e3 })
+    {
+      volume.Prop->GetProperty()->SetScalarOpacityUnitDistance(unit);
+      RELIEVO_CHECK_NEAR(unit * volume.GetExact(source, middle + 2.0 * axis), 0.96 * Sigma, 1e-6,
+        what + ", another unit distance");
+    }
+  }
 }
 
 // Whatever is not traced is named; NaN lets light pass.
@@ -457,6 +615,129 @@ struct ZenithStage : ShadowStage
     this->AddSun(0.0, 1.0, 0.0);
   }
 };
+
+// Certificates trace rays through volumes: they find a coarse grid wrong, and a fine one right; and
+// grids are chosen for a tolerance.
+void TestCertified()
+{
+  ShadowStage stage;
+  stage.AddGround();
+  stage.AddBox({ 0.9, 0.2, 0.3 }, { 0.4, 0.4, 0.4 });
+  stage.Renderer->GetActiveCamera()->SetPosition(0.0, 5.0, 5.0);
+  stage.Renderer->ResetCameraClippingRange();
+  Volume volume(
+    33,
+    [](const glm::dvec3& place) {
+      const glm::dvec3 wave = glm::sin(12.0 * place);
+      return 0.97 * std::max(0.0, wave.x * wave.y * wave.z);
+    },
+    1.6);
+  volume.Prop->SetPosition(-0.8, 0.7, -0.8);
+  volume.Prop->GetProperty()->SetScalarOpacityUnitDistance(0.5);
+  stage.Renderer->AddVolume(volume.Prop);
+  stage.AddSun(0.4, 1.0, 0.3);
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  shadows->EnabledOn();
+  shadows->SetMethodToExact();
+  const auto certify = [&]() {
+    stage.Window->Render();
+    vtkRelievoShadowCertificate* certificate = shadows->Certify(1500, 3);
+    RELIEVO_CHECK(certificate && certificate->GetJudged() == 1500);
+    return certificate ? certificate->GetWrongShare() : 1.0;
+  };
+  const double fine = certify();
+  shadows->SetVolumeNodes(16);
+  const double coarse = certify();
+  RELIEVO_CHECK_AT_MOST(fine, 0.02, "a node a voxel: wrong share");
+  RELIEVO_CHECK_AT_MOST(0.05, coarse, "16 nodes: wrong share");
+  RELIEVO_CHECK_NEAR(shadows->GetFacts()["volume_nodes"].ToInt(), 16, 0, "nodes as set");
+  shadows->SetVolumeNodes(256);
+  shadows->SetTolerance(0.9);
+  stage.Window->Render();
+  RELIEVO_CHECK_NEAR(shadows->GetFacts()["volume_nodes"].ToInt(), 32, 0, "nodes for any error");
+  shadows->SetTolerance(0.02);
+  stage.Window->Render();
+  const int chosen = shadows->GetFacts()["volume_nodes"].ToInt();
+  RELIEVO_CHECK_THAT(chosen >= 32 && chosen <= 64, std::to_string(chosen) + " nodes");
+  const double share = shadows->GetFacts()["volume_wrong_share"].ToDouble();
+  RELIEVO_CHECK_AT_MOST(share, 0.1, "expected with these nodes");
+  shadows->SetTolerance(0.0);
+  shadows->SetTimeBudget(0.01);
+  stage.Window->Render();
+  RELIEVO_CHECK_NEAR(shadows->GetFacts()["volume_nodes"].ToInt(), 32, 0, "nodes for no time");
+
+  // Its shadow is missing: unknown where it might fall.
+  shadows->SetTimeBudget(0.0);
+  volume.Prop->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+  std::string why;
+  RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(volume.Prop.Get(), why).empty());
+  RELIEVO_CHECK(why.find("its transfer function has two dimensions") == 0);
+}
+
+// Light through a coloured volume has colour^depth, besides exp(-depth); the layer has no colours.
+void TestColored()
+{
+  for (const int method :
+    { vtkRelievoShadowStage::METHOD_MAP, vtkRelievoShadowStage::METHOD_EXACT })
+  {
+    ZenithStage stage;
+    const relievoTest::GLCheck gl(stage.Window);
+    vtkActor* ground = stage.Renderer->GetActors()->GetLastActor();
+    ground->GetProperty()->SetColor(1.0, 1.0, 1.0);
+    ground->GetProperty()->SetDiffuse(0.8);
+    ground->GetProperty()->SetAmbient(0.0);
+    ground->GetProperty()->SetSpecular(0.0);
+    Volume volume(9, Constant(0.7));
+    vtkNew<vtkColorTransferFunction> color;
+    const glm::dvec3 glass(1.0, 0.5, 0.25);
+    color->AddRGBPoint(0.0, glass.x, glass.y, glass.z);
+    volume.Prop->GetProperty()->SetColor(color);
+    volume.Prop->GetProperty()->SetScalarOpacityUnitDistance(2.0);
+    volume.Prop->SetPosition(-0.5, 0.5, -0.5);
+    volume.Prop->SetScale(1.0, 0.5, 1.0);
+    stage.Renderer->AddVolume(volume.Prop);
+    stage.Renderer->GetActiveCamera()->SetPosition(0.0, 8.0, 2.5);
+    stage.Renderer->ResetCameraClippingRange();
+    vtkRelievoShadowStage* shadows = stage.GetShadows();
+    shadows->SetMethod(method);
+    shadows->SetStrength(1.0);
+    const double depth = 0.5 * Sigma; // lengths count in the volume's coordinates
+    // Seen beside the volume.
+    const glm::dvec3 place(0.1, 0.0, -0.45);
+    RELIEVO_CHECK_NEAR(
+      GetShadow(stage, place.x, place.z), std::exp(-depth), 2e-3, "the layer of a coloured volume");
+    glm::dvec2 pixel;
+    RELIEVO_CHECK(relievoTest::View(stage.Renderer).Project(place, pixel));
+    const auto getColor = [&](bool on) {
+      shadows->SetEnabled(on);
+      volume.Prop->SetVisibility(on);
+      glm::dvec3 found;
+      const auto picture = relievoTest::Picture(stage.Window);
+      for (int i = 0; i < 3; ++i)
+      {
+        found[i] = picture->GetScalarComponentAsDouble(
+          static_cast<int>(pixel.x), static_cast<int>(pixel.y), 0, i);
+      }
+      return found;
+    };
+    const glm::dvec3 lit = getColor(false);
+    RELIEVO_CHECK(lit.x > 100.0);
+    // The camera sees the ground through the volume: by light of each colour, in front of it.
+    stage.Renderer->GetActiveCamera()->SetPosition(0.0, 0.35, 4.0);
+    stage.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+    stage.Renderer->ResetCameraClippingRange();
+    RELIEVO_CHECK(relievoTest::View(stage.Renderer).Project(place, pixel));
+    const glm::dvec3 grey = getColor(true) / lit;
+    shadows->ColoredShadowsOn();
+    const glm::dvec3 tinted = getColor(true) / lit;
+    for (int i = 0; i < 3; ++i)
+    {
+      RELIEVO_CHECK_NEAR(grey[i], std::exp(-depth), 0.01, "light without colours");
+      RELIEVO_CHECK_NEAR(tinted[i], std::exp(-depth) * std::pow(glass[i], depth), 0.01,
+        "coloured light, channel " + std::to_string(i));
+    }
+  }
+}
 
 // Depths too large for the texture's half floats.
 void TestSteep()
@@ -824,8 +1105,13 @@ RELIEVO_TEST_CASE(testVolumeShadows)
   relievoTest::Session session;
   TestBox();
   TestSmooth();
+  TestExact();
+  TestCut();
+  TestHard();
   TestRefused();
   TestGround();
+  TestCertified();
+  TestColored();
   TestSteep();
   TestProps();
   TestManyLights();

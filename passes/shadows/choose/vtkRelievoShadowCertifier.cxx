@@ -11,9 +11,11 @@
 #include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowLights.h"
 #include "vtkRelievoShadowMethod.h"
+#include "vtkRelievoShadowProps.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -130,7 +132,15 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
   const std::size_t count = layers.size();
   layers.emplace_back(DepthLayer);
   vtkNew<vtkImageData> image;
+  vtkNew<vtkImageData> dimmed;
+  const bool volumes = picture.Work.Shade.IsMade();
+  picture.Work.WithoutVolumes = volumes;
   fault = DrawLayers(picture.Renderer, picture.Frame, layers, image);
+  picture.Work.WithoutVolumes = false;
+  if (fault.empty() && volumes)
+  {
+    fault = DrawLayers(picture.Renderer, picture.Frame, layers, dimmed);
+  }
   if (fault.empty() && casting.size() != count)
   {
     fault = "other lights cast now";
@@ -139,19 +149,20 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
   {
     return nullptr;
   }
-  const auto read = [&image](const std::string& layer) {
-    auto* array = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(layer.c_str()));
+  const auto read = [](vtkImageData* from, const std::string& layer) {
+    auto* array = vtkFloatArray::SafeDownCast(from->GetPointData()->GetArray(layer.c_str()));
     return array ? array->GetPointer(0) : nullptr;
   };
   vtkRelievoShadowCertifier certifier;
   certifier.View = picture.Work.View;
   certifier.Attenuates = picture.Method->Traces();
   certifier.Lights = casting;
-  certifier.Depth = read(DepthLayer);
+  certifier.Depth = read(image, DepthLayer);
   certifier.CoarseDepth = AreHalf(certifier.Depth, image->GetNumberOfPoints());
   for (std::size_t i = 0; i < count; ++i)
   {
-    certifier.Visibility.push_back(read(layers[i]));
+    certifier.Visibility.push_back(read(image, layers[i]));
+    certifier.Dimmed.push_back(volumes ? read(dimmed, layers[i]) : nullptr);
   }
   // Maps treat translucent casters as opaque.
   std::vector<vtkRelievoSurface> surfaces =
@@ -169,9 +180,32 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
     box.Min -= wider;
     box.Max += wider;
   }
+  certifier.AddVolumes(picture.Work.Props);
   auto certificate = vtkSmartPointer<vtkRelievoShadowCertificate>::New();
   certifier.Certify(rays, seed, certificate);
   return certificate;
+}
+
+//------------------------------------------------------------------------------
+// Volumes that rays cannot trace cast no shadow, which may be wrong.
+void vtkRelievoShadowCertifier::AddVolumes(const vtkRelievoShadowProps& props)
+{
+  for (const vtkRelievoPlacedVolume& placed : props.GetVolumeCasters())
+  {
+    std::string why;
+    for (const vtkRelievoVolumeExtinction& field : vtkRelievoVolumeExtinction::Collect(placed, why))
+    {
+      this->Volumes.push_back(field);
+    }
+    const double* bounds = placed.Volume->GetBounds();
+    if (!why.empty() && bounds)
+    {
+      vtkRelievoBox box;
+      box.Min = glm::dvec3(bounds[0], bounds[2], bounds[4]);
+      box.Max = glm::dvec3(bounds[1], bounds[3], bounds[5]);
+      this->Unfollowed.push_back(box);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -221,6 +255,11 @@ vtkRelievoShadowCertifier::Findings vtkRelievoShadowCertifier::Judge(int x, int 
   }
   const double blur = vtkRelievoPlaceBlur * glm::length(seen.T * eye.Ray);
   const double truth = this->Rays.Pass(place, to.Ray, to.Last, seen, blur);
+  const auto getDimmed = [&](const glm::dvec3& at) {
+    return std::exp(-vtkRelievoOpticalDepths::GetExactDepth(
+      this->Volumes, this->Lights[light].GetSource(), at + this->Rays.GetCenter()));
+  };
+  const double passes = this->Volumes.empty() ? 1.0 : getDimmed(place);
   // Before the drawn verdict is known, which must not influence the selection.
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -230,12 +269,18 @@ vtkRelievoShadowCertifier::Findings vtkRelievoShadowCertifier::Judge(int x, int 
     const vtkRelievoToLight other(this->Lights[light], at, this->Rays.GetCenter());
     if (this->Rays.Pass(at, other.Ray, other.Last, seen, blur) != truth ||
       this->HasOtherNeighbour(
-        beside, light, wanted + glm::clamp(t - seen.T, -window, window), seen, truth))
+        beside, light, wanted + glm::clamp(t - seen.T, -window, window), seen, truth) ||
+      (!this->Volumes.empty() && std::abs(getDimmed(at) - passes) > TransmittanceSlack))
     {
       return TIE;
     }
   }
-  return this->IsAlike(drawn, truth) ? RIGHT : drawn < truth ? FALSE_SHADOW : FALSE_LIGHT;
+  if (!this->IsAlike(drawn, truth))
+  {
+    return drawn < truth ? FALSE_SHADOW : FALSE_LIGHT;
+  }
+  const double off = this->Dimmed[light] ? this->Dimmed[light][pixel] - drawn * passes : 0.0;
+  return std::abs(off) <= TransmittanceSlack ? RIGHT : off < 0.0 ? FALSE_SHADOW : FALSE_LIGHT;
 }
 
 //------------------------------------------------------------------------------

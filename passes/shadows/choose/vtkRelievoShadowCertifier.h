@@ -9,6 +9,7 @@
 #include "vtkRelievoShadowLight.h"
 #include "vtkRelievoShadowPixels.h"
 #include "vtkRelievoShadowRegion.h"
+#include "vtkRelievoVolumeExtinction.h"
 #include "vtkSmartPointer.h"
 
 #include <memory>
@@ -19,6 +20,7 @@ class vtkRelievoFramePass;
 class vtkRelievoShadowCertificate;
 class vtkRelievoShadowLights;
 class vtkRelievoShadowMethod;
+class vtkRelievoShadowProps;
 class vtkRenderer;
 struct vtkRelievoShadowContext;
 
@@ -30,7 +32,7 @@ public:
   {
     vtkRelievoFramePass* Frame;
     vtkRenderer* Renderer;
-    const vtkRelievoShadowContext& Work;
+    vtkRelievoShadowContext& Work;
     const vtkRelievoShadowLights& Lights;
     const std::unique_ptr<vtkRelievoShadowMethod>& Method; // drawing may replace it
   };
@@ -60,6 +62,9 @@ public:
   bool CoarseDepth = false;             // too coarse to distinguish the sides of a thin plate
   bool Attenuates = false;              // the layers are transmittances, not verdicts
   const float* Depth = nullptr;         // per pixel, from the eye along the view's axis
+  // With volumes: the layers again, as `Visibility` has the light past surfaces alone.
+  std::vector<vtkRelievoVolumeExtinction> Volumes;
+  std::vector<const float*> Dimmed;
 
   Findings Judge(int x, int y, int light) const;
 
@@ -69,6 +74,7 @@ public:
 private:
   double GetDepthWindow(double depth) const;
   bool IsAlike(double a, double b) const; // compares verdicts
+  void AddVolumes(const vtkRelievoShadowProps& props);
   bool HasOtherNeighbour(const vtkRelievoPixelRay& beside, int light, double wanted,
     const vtkRelievoCasterRays::Meeting& seen, double truth) const;
 };

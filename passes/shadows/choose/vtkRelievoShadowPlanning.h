@@ -32,6 +32,7 @@ public:
     double Bias = 0.0;
     int FilterRadius = 0;
     bool ColoredShadows = false;
+    int VolumeNodes = 0;
 
     bool HasGoal() const { return this->Tolerance > 0.0 || this->TimeBudget > 0.0; }
   };

@@ -6,6 +6,7 @@
 #define vtkRelievoShadowLight_h
 
 #include "vtkRelievoFormulas.h" // for GLM
+#include "vtkRelievoOpticalDepths.h"
 
 #include <string>
 #include <vector>
@@ -46,6 +47,12 @@ struct vtkRelievoShadowLight
   static glm::dvec3 AnySquareTo(const glm::dvec3& direction);
 
   bool IsSpot() const { return this->Positional && this->ConeAngle < 90.0; }
+
+  // For the depths of volumes.
+  vtkRelievoOpticalDepths::Source GetSource() const
+  {
+    return { this->Positional, this->Position, this->Direction };
+  }
 
   // All lights of the renderer. Headlights are marked as casting none: the shadow of a light at the
   // eye is invisible.

@@ -52,6 +52,7 @@ struct vtkRelievoShadowContext
   bool DrawingMaps = false;
   bool DrawingDepth = false; // a method is drawing the camera's depth
   bool ColoredShadows = false;
+  bool WithoutVolumes = false;  // volumes dim nothing: for certificates
   bool WithoutFollowed = false; // in these maps: the method traces rays at the other casters
   bool OwnSteps = true;         // the renderer draws the picture without a render pass of its own
   bool OnEverything = false;    // shadows fall also on props chosen not to receive any

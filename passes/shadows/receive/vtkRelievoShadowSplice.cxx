@@ -219,6 +219,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   dec << (structure.Spread ? "#define RELIEVO_VOLUME_SPREAD\n" : "");
   dec << (structure.Around ? "#define RELIEVO_VOLUME_AROUND\n" : "");
   dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
+  dec << (structure.Tinted ? "#define RELIEVO_VOLUME_TINTED\n" : "");
   dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
   dec << (triangles ? "#define RELIEVO_SHADOW_TRIANGLES\n" : "");
   // Some VTK versions widen triangles with edges by half a line, and move places with them.

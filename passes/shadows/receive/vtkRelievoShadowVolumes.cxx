@@ -252,6 +252,7 @@ std::string vtkRelievoShadowVolumes::Fill(std::string& fragment, const Shadows& 
   dec << "#define RELIEVO_VOLUME_NUMBERS " << GetSlots(shadows, true, 1).size() << "\n";
   dec << (structure.Around ? "#define RELIEVO_VOLUME_AROUND\n" : "");
   dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
+  dec << (structure.Tinted ? "#define RELIEVO_VOLUME_TINTED\n" : "");
   FillMark(fragment, VolumeExtensions,
     vtkRelievoShaderLibrary::GetSection("shadow/receive.glsl", "Extensions") + GetContract());
   FillMark(fragment, VolumeDec,

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The bench of volumes, small: its rows, that more nodes err less, and rays in double least.
+#include "VolumeSizes.h"
+
+#include "Check.h"
+#include "CsvFile.h"
+#include "Session.h"
+#include "TestCase.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <string>
+
+namespace testBenchVolumes
+{
+//------------------------------------------------------------------------------
+RELIEVO_TEST_CASE(testBenchVolumes)
+{
+  relievoTest::Session session;
+  const std::string folder = relievoTest::OutputFolder() + "/volumes";
+  vtksys::SystemTools::RemoveADirectory(folder);
+  relievoBench::VolumeSizes sizes;
+  sizes.Sizes = { 24 };
+  sizes.Nodes = { 16, 32 };
+  sizes.Places = 100;
+  sizes.FrameSizes = { 16 };
+  sizes.Rounds = 1;
+  RELIEVO_CHECK(relievoBench::BenchVolumes(folder, sizes) == 0);
+  const auto rows = relievoTest::ReadCsv(folder + "/volumes.csv");
+  RELIEVO_CHECK(rows.size() == 4 * 7);
+  for (std::size_t i = 0; i + 6 < rows.size(); i += 7)
+  {
+    const std::string scene = rows[i].at("scene");
+    const double coarse = relievoTest::Value(rows[i], "rms");
+    const double fine = relievoTest::Value(rows[i + 1], "rms");
+    const double exact = relievoTest::Value(rows[i + 6], "rms");
+    RELIEVO_CHECK_THAT(rows[i + 6].at("method") == "exact", scene);
+    RELIEVO_CHECK_AT_MOST(fine, coarse, scene + ": more nodes");
+    // Of the ball, the voxels' own error remains.
+    RELIEVO_CHECK_AT_MOST(exact, scene == "ball" ? 4e-3 : 1e-5, scene + ": rays in double");
+  }
+  const auto frames = relievoTest::ReadCsv(folder + "/volume-frames.csv");
+  RELIEVO_CHECK(frames.size() >= 3);
+  RELIEVO_CHECK_AT_MOST(20.0 * relievoTest::Value(frames[1], "levels rms"),
+    relievoTest::Value(frames[0], "levels rms"), "the ground's shadow");
+  return session.Result();
+}
+}
