@@ -118,6 +118,7 @@ from ._frame import report, vtkRelievoPass
 from ._image import attributes, from_image, layer, layer_names, to_image
 from ._keep import attach, detach
 from ._layers import layers
+from ._pick import pick
 from ._picture import picture, write_png
 from ._points import depth_to_points
 from ._rays import rays
@@ -161,6 +162,7 @@ __all__ = [
     "layers",
     "lens",
     "moment",
+    "pick",
     "picture",
     "provide_vtkmodules",
     "rays",
