@@ -90,8 +90,7 @@ std::string vtkRelievoFrameReader::Read(const std::vector<std::string>& names, v
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoFrameReader::Amend(
-  const std::vector<std::string>& names, vtkImageData* image)
+std::string vtkRelievoFrameReader::Amend(const std::vector<std::string>& names, vtkImageData* image)
 {
   std::map<vtkRelievoStage*, std::vector<std::string>> amended;
   for (const std::string& name : names)

@@ -15,6 +15,7 @@
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <array>
@@ -80,6 +81,12 @@ void vtkRelievoDrawnVolume::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* v
   ++this->Draws;
   this->IsExtreme = mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND;
   vtkDataSet* data = mapper->GetDataSetInput();
+  int cells = 0;
+  vtkDataArray* values = vtkAbstractMapper::GetScalars(data, mapper->GetScalarMode(),
+    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells);
+  this->IsWhole = values && values->GetDataType() != VTK_FLOAT &&
+    values->GetDataType() != VTK_DOUBLE &&
+    volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
   this->HasMarch = this->Draws == 1 && this->March.Take(mapper, volume, longest);
   const glm::dmat4 dataToWorld = vtkRelievoToGlm(volume->GetMatrix());
   this->GridToData = glm::dmat4(1.0);
@@ -185,7 +192,7 @@ void vtkRelievoVolumeReader::Find(int index)
     const double off = std::abs(ray.GetDepth(t) - start[0]) / perDepth * perT;
     // On the box's faces, OpenGL also rounds the corners to a part of a pixel.
     const double rounding = inData + inDepth / perDepth * perT + (isInside ? 0.0 : 0.5 * start[1]);
-    float value = found[1];
+    float value = volume.IsWhole ? std::round(found[1]) : found[1];
     if (off <= rounding)
     {
       const double stepT = start[1] / perT;
@@ -197,10 +204,12 @@ void vtkRelievoVolumeReader::Find(int index)
           volume.March.FindStep(ray.At(t) - volume.Corners[0], stepT * (ray.End - ray.Begin),
             this->Rule, this->Threshold, std::max(1, near - Around), near + Around);
         steps = std::isnan(refined) ? steps : refined;
+        // Between samples of other values, such as labels, only a sample has a value.
+        const double valued = volume.March.IsLinear() ? steps : std::ceil(steps);
+        value =
+          static_cast<float>(volume.March.GetValue(ray.At(t + valued * stepT) - volume.Corners[0]));
       }
       t += steps * stepT;
-      value =
-        refines ? static_cast<float>(volume.March.GetValue(ray.At(t) - volume.Corners[0])) : value;
     }
     else
     {

@@ -26,6 +26,7 @@ struct vtkRelievoDrawnVolume
   int Draws = 0;          // blocks that were drawn
   bool HasDepth = true;   // false: only the opacity is right
   bool IsExtreme = false; // drawn as maximum or minimum intensity
+  bool IsWhole = false;   // values are those of points, and whole numbers
   glm::dmat4 GridToWorld; // from indices of points; from data coordinates for rectilinear grids
   glm::dmat4 GridToData;  // the space in which VTK's steps have their length
   glm::dvec3 Corners[2];  // of the grid

@@ -384,6 +384,8 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
       drawn.Index = (place > 0 ? place : all->IsItemPresent(each.Volumes.front())) - 1;
       program->SetUniformi("relievoVolumeRule", this->Rule);
       program->SetUniformf("relievoVolumeThreshold", static_cast<float>(this->Opacity));
+      program->SetUniformi("relievoVolumeLinear",
+        volume->GetProperty()->GetInterpolationType() == VTK_LINEAR_INTERPOLATION);
       const glm::vec3 points(drawn.Points);
       program->SetUniform3f("relievoVolumePoints", &points[0]);
     };

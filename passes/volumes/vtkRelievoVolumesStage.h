@@ -17,8 +17,9 @@
  * vtkSmartVolumeMapper and vtkMultiBlockVolumeMapper, with the mapper's step of full quality,
  * without jitter: it follows transfer functions, cropping, clipping planes and masks. The ray ends
  * at the visible surface. When layers are read, the place is refined in double by the same march
- * (vtkRelievoVolumeMarch). Stages read the layer `volume_depth` as the GPU has found it. Rejected, with one error: other mappers and vtkMultiVolume, blend modes
- * other than composite, maximum and minimum, and, except for FIRST, data drawn in several blocks.
+ * (vtkRelievoVolumeMarch). Stages read the layer `volume_depth` as the GPU has found it. Rejected,
+ * with one error: other mappers and vtkMultiVolume, blend modes other than composite, maximum and
+ * minimum, and, except for FIRST, data drawn in several blocks.
  */
 #ifndef vtkRelievoVolumesStage_h
 #define vtkRelievoVolumesStage_h

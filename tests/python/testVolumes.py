@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Layers of volumes against closed forms and a march through the same samples in double."""
 
+import json
 import math
+import pathlib
 import resource
 import tempfile
 import unittest
@@ -638,6 +640,23 @@ class Volumes(unittest.TestCase):
         off = numpy.abs(found["volume_depth"][hit] - truth["volume_depth"][hit])
         self.assertLess(numpy.quantile(off, 0.95), 1.0)
 
+    def test_labels(self):
+        """Without interpolation, each place has the value of a point."""
+        z, y, x = grid()
+        values = numpy.where(x**2 + y**2 + z**2 < 49, 2.0 + (x > 0), 0.0)
+        for refined in (True, False):
+            kind = "f4" if refined else "u1"
+            scene = Scene(image_of(values, kind=kind), [(0, 0), (1, 0), (1.5, 0.8), (3, 0.8)])
+            scene.volume.GetProperty().SetInterpolationTypeToNearest()
+            if not refined:
+                scene.volume.GetProperty().SetGradientOpacity(vtkPiecewiseFunction())
+                scene.volume.GetProperty().GetGradientOpacity().AddPoint(0, 1)
+            scene.look_at((30, 25, 40), up=(0.2, 1, 0))
+            found = scene.capture()
+            hit = numpy.isfinite(found["volume_depth"])
+            self.assertGreater(hit.sum(), 300)
+            self.assertEqual(set(found["volume_value"][hit]), {2.0, 3.0})
+
     def test_several(self):
         """The nearest of two volumes; opacities multiply what passes."""
         scene = Scene(filled(), [(0, 0), (1, 0.1)], step=0.3)
@@ -722,6 +741,47 @@ class Stages(unittest.TestCase):
         relievo.stage(scene.renderer, "volumes", solid=False)
         numpy.testing.assert_array_equal(scene.capture(["depth"])["depth"], apart["depth"])
 
+    def test_dataset(self):
+        """Solid volumes are objects of data sets; others hide nothing."""
+        scene = Scene(image_of(ball()), STEEP)
+        scene.look_at((30, 25, 40), up=(0.2, 1, 0), parallel=False)
+        shelf = vtkPlaneSource()  # cuts the ball
+        shelf.SetOrigin(-2, MIDDLE, -2)
+        shelf.SetPoint1(18, MIDDLE, -2)
+        shelf.SetPoint2(-2, MIDDLE, 18)
+        add(scene.renderer, shelf)
+        camera = scene.renderer.GetActiveCamera()
+        views = {}
+        with tempfile.TemporaryDirectory() as folder:
+            for solid in (False, True):
+                relievo.stage(scene.renderer, "volumes", solid=solid)
+                to = f"{folder}/{solid}"
+                relievo.write_dataset(
+                    scene.renderer, [camera], to, "npz", ["volume_depth"], size=SIZE)
+                (file,) = pathlib.Path(to).glob("*.npz")
+                views[solid] = dict(numpy.load(file))
+            relievo.write_dataset(scene.renderer, [camera], folder + "/coco", "coco", size=SIZE)
+            file = pathlib.Path(folder, "coco", "instances.json")
+            coco = json.loads(file.read_text())
+        self.assertEqual(set(numpy.unique(views[False]["object"])), {0, 1})
+        view = views[True]
+        hit = numpy.isfinite(view["volume_depth"])
+        numpy.testing.assert_array_equal(view["object"] == 2, hit)
+        numpy.testing.assert_array_equal(view["visible_masks"][1], hit)
+        depth = numpy.where(hit, view["volume_depth"], views[False]["depth"])
+        numpy.testing.assert_array_equal(view["depth"], depth)
+        # The whole ball, without the shelf.
+        whole = view["amodal_masks"][1]
+        self.assertTrue((whole | ~hit).all())
+        self.assertGreater(whole.sum(), 1.15 * hit.sum())
+        numpy.testing.assert_array_equal(view["amodal_masks"][0], views[False]["visible_masks"][0])
+        self.assertEqual([each["name"] for each in coco["categories"]], ["actor_0", "volume_0"])
+        areas = {each["category_id"]: each["area"] for each in coco["annotations"]}
+        self.assertEqual(areas[2], hit.sum())
+        with self.assertRaisesRegex(ValueError, "pinhole"):
+            relievo.write_dataset(
+                scene.renderer, [relievo.Equirectangular((64, 32))], folder, "npz")
+
     def test_pick(self):
         scene = self.box(0.3)
         plane = vtkPlaneSource()
@@ -804,7 +864,8 @@ class Stages(unittest.TestCase):
         relievo.stage(scene.renderer, "tone", operator="clamp", exposure=-1)
         linear = 0.5 * self.color(scene)[INNER][..., 0]
         shown = self.picture(scene.renderer)[INNER][..., 0]
-        curve = numpy.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+        curve = numpy.where(
+            linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
         self.assertLess(numpy.abs(shown - 255 * curve).max(), 1.6)
 
     def test_peeling(self):

@@ -43,7 +43,8 @@ public:
   };
 
   // Draws the fog in front of opaque surfaces, or, if depths of translucent surfaces and volumes
-  // are given, the fog in front of the nearest of all. Returns an error message, or an empty string.
+  // are given, the fog in front of the nearest of all. Returns an error message, or an empty
+  // string.
   std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays,
     const Options& options, const std::vector<vtkRelievoResource*>& nearer = {});
 
