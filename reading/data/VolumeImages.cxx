@@ -14,6 +14,7 @@
 #include "vtkDiscreteFlyingEdges3D.h"
 #include "vtkExtractVOI.h"
 #include "vtkFlyingEdges3D.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageConstantPad.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -25,7 +26,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
-#include "vtkSmartVolumeMapper.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -500,8 +500,10 @@ void SetVolumeCurve(vtkVolume* volume, const std::vector<std::array<double, 2>>&
 //------------------------------------------------------------------------------
 void SetVolumeStep(vtkVolume* volume, double share)
 {
-  auto* mapper = vtkSmartVolumeMapper::SafeDownCast(volume->GetMapper());
+  auto* mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(volume->GetMapper());
   auto* image = vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  // VTK's own choice is half the distance of the points, and finer in images of few points.
+  mapper->SetLockSampleDistanceToInputSpacing(share == SampleShare);
   mapper->SetSampleDistance(
     static_cast<float>(share * *std::min_element(image->GetSpacing(), image->GetSpacing() + 3)));
 }
@@ -514,10 +516,9 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
   const bool labels = HasLabels(image);
   const vtkSmartPointer<vtkPiecewiseFunction> opacity = MakeOpacity(image);
   auto volume = vtkSmartPointer<vtkVolume>::New();
-  vtkNew<vtkSmartVolumeMapper> mapper;
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
   mapper->SetInputData(image);
   // The default would adapt the sample distance to the time of earlier frames.
-  mapper->InteractiveAdjustSampleDistancesOff();
   mapper->AutoAdjustSampleDistancesOff();
   volume->SetMapper(mapper);
   SetVolumeStep(volume, SampleShare);

@@ -428,7 +428,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     TakePart<&RenderOptions::Look, TakeOpacityCurve>);
   rows.AddNumber("--volume-step", "SHARE",
     "step of rays through volumes, as a share of the distance of the image's points, @bounds@; "
-    "smaller steps are slower and show fewer rings (0.5)",
+    "smaller steps are slower and show fewer rings (0.5, and finer in images of few points)",
     { 0.05, 4.0 }, [](RenderOptions& options, double step) { options.Look.VolumeStep = step; });
   rows.AddNumber("--point-size", "PIXELS",
     "width of points, @bounds@ pixels; wider than 1, they are drawn as spheres (4 with a "

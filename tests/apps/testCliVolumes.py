@@ -133,8 +133,7 @@ class Volumes(CliTest):
         self.assertGreater((darker > 15).sum(), 150)
         self.assertGreater(((darker > 3) & (darker < 0.6 * darker.max())).sum(), 100)
         off = {name: abs(pictures[name] - pictures["fine"]).max() for name in ("usual", "coarse")}
-        print(off)
-        self.assertLess(off["usual"], 6)
+        self.assertLess(off["usual"], 4)
         self.assertGreater(off["coarse"], 2 * off["usual"])
 
     def test_opacity_curve(self):
@@ -149,7 +148,7 @@ class Volumes(CliTest):
             least[curve] = numpy.nanmin(values)
             self.assertAlmostEqual(least[curve], float(curve.split("/")[0]), delta=0.6)
         self.before = self.names()
-        for curve in ("3/0", "3/0,2/1", "3/0,4/2", "3,4", ""):
+        for curve in ("3/0", "3/0,2/1", "3/0,4/2", "3,4"):
             self.refused("render", "ball.vti", "--opacity-curve", curve, "--png", "b.png", status=2,
                          says=["--opacity-curve", "VALUE/OPACITY"])  # fmt: skip
 

@@ -55,6 +55,9 @@ VolumeGroup::VolumeGroup(Document* document, Reader read, QWidget* parent)
     });
   });
   QObject::connect(document, &Document::changed, this, &VolumeGroup::ShowSettings);
+  // Updates when the picture shows the requested data.
+  QObject::connect(
+    document, &Document::asked, this, &VolumeGroup::ShowVolume, Qt::QueuedConnection);
   QObject::connect(document, &Document::shown, this, &VolumeGroup::ShowVolume);
   this->ShowSettings();
   this->ShowVolume();
