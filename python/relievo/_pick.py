@@ -3,7 +3,6 @@
 """What a pixel shows."""
 
 import math
-from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy
@@ -47,8 +46,7 @@ class Picked(NamedTuple):
         return bool(self.kind)
 
 
-def pick(renderer, x: int, y: int, arrays: Sequence[str] = (),
-         size: Sequence[int] | None = None) -> Picked:  # fmt: skip
+def pick(renderer, x, y, arrays=(), size=None) -> Picked:
     """What a pixel shows: the surface or the volume, its place, and values of the data there.
 
         found = relievo.pick(renderer, 320, 240)
