@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DatasetObjects.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkAssemblyNode.h"
@@ -16,10 +17,14 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
+#include "vtkRelievoPass.h"
 #include "vtkRelievoPlainActor.h"
+#include "vtkRelievoStage.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 
@@ -68,6 +73,24 @@ void AddTo(vtkBoundingBox& box, const std::vector<std::array<double, 3>>& points
   {
     box.AddPoint(point[0], point[1], point[2]);
   }
+}
+
+// World corners of a box.
+std::vector<std::array<double, 3>> PlaceCorners(const double* bounds, vtkMatrix4x4* pose)
+{
+  std::vector<std::array<double, 3>> corners;
+  if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return corners;
+  }
+  for (int i = 0; i < 8; ++i)
+  {
+    const double corner[4] = { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)], 1.0 };
+    double placed[4];
+    pose->MultiplyPoint(corner, placed);
+    corners.push_back({ placed[0] / placed[3], placed[1] / placed[3], placed[2] / placed[3] });
+  }
+  return corners;
 }
 
 // The renderer's actors in the order of their numbers, with their drawing matrices: an assembly's
@@ -175,26 +198,43 @@ DatasetObjects::DatasetObjects(
       add(-1, nullptr);
     }
   }
+  auto* frame = vtkRelievoPass::SafeDownCast(renderer->GetPass());
+  if (frame && frame->GetStage("volumes")->GetParameter("solid") == "on")
+  {
+    this->AddVolumes();
+  }
+}
+
+//------------------------------------------------------------------------------
+void DatasetObjects::AddVolumes()
+{
+  vtkVolumeCollection* volumes = this->Renderer->GetVolumes();
+  for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
+  {
+    auto* volume = vtkVolume::SafeDownCast(volumes->GetItemAsObject(i));
+    if (volume && volume->GetVisibility() && volume->GetMapper())
+    {
+      vtkNew<vtkMatrix4x4> pose;
+      volume->GetMatrix(pose);
+      this->Volumes[i] = { volume, volume->GetMapper()->GetBounds(),
+        static_cast<int>(this->Objects.size()), pose };
+      this->Objects.push_back({ "volume_" + std::to_string(i), pose });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int DatasetObjects::FindVolume(int volume) const
+{
+  const auto found = this->Volumes.find(volume);
+  return found == this->Volumes.end() ? -1 : found->second.Object;
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::array<double, 3>> DatasetObjects::GetCorners(const Part& part)
 {
   auto* block = vtkDataSet::SafeDownCast(part.Data);
-  const double* bounds = block ? block->GetBounds() : part.Actor->GetMapper()->GetBounds();
-  std::vector<std::array<double, 3>> corners;
-  if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
-  {
-    return corners;
-  }
-  for (int i = 0; i < 8; ++i)
-  {
-    const double corner[4] = { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)], 1.0 };
-    double placed[4];
-    part.Pose->MultiplyPoint(corner, placed);
-    corners.push_back({ placed[0] / placed[3], placed[1] / placed[3], placed[2] / placed[3] });
-  }
-  return corners;
+  return PlaceCorners(block ? block->GetBounds() : part.Actor->GetMapper()->GetBounds(), part.Pose);
 }
 
 //------------------------------------------------------------------------------
@@ -207,6 +247,13 @@ std::vector<std::array<double, 3>> DatasetObjects::GetCorners(int object) const
     {
       const std::vector<std::array<double, 3>> more = GetCorners(part);
       corners.insert(corners.end(), more.begin(), more.end());
+    }
+  }
+  for (const auto& [number, volume] : this->Volumes)
+  {
+    if (volume.Object == object)
+    {
+      corners = PlaceCorners(volume.Bounds, volume.Pose);
     }
   }
   return corners;
@@ -222,6 +269,10 @@ vtkBoundingBox DatasetObjects::GetBounds() const
     {
       AddTo(box, GetCorners(part));
     }
+  }
+  for (const auto& [number, volume] : this->Volumes)
+  {
+    AddTo(box, PlaceCorners(volume.Bounds, volume.Pose));
   }
   if (!box.IsValid())
   {
@@ -240,6 +291,10 @@ vtkBoundingBox DatasetObjects::GetOpaqueBounds() const
     {
       AddTo(box, GetCorners(part));
     }
+  }
+  for (const auto& [number, volume] : this->Volumes)
+  {
+    AddTo(box, PlaceCorners(volume.Bounds, volume.Pose));
   }
   return box;
 }
@@ -303,14 +358,21 @@ DatasetObjects::Alone::Alone(const DatasetObjects& objects, const std::vector<in
       this->Hidden.push_back(prop);
     }
   };
-  // Hides volumes, and assemblies that contain no part of the objects.
+  const auto isVolumeShown = [&objects, &shown](vtkProp* prop) {
+    return std::any_of(
+      objects.Volumes.begin(), objects.Volumes.end(), [&shown, prop](const auto& each) {
+        return each.second.Prop == prop &&
+          std::find(shown.begin(), shown.end(), each.second.Object) != shown.end();
+      });
+  };
+  // Hides other volumes, and assemblies that contain no part of the objects.
   vtkPropCollection* props = objects.Renderer->GetViewProps();
   for (int i = 0; i < props->GetNumberOfItems(); ++i)
   {
     auto* prop = vtkProp::SafeDownCast(props->GetItemAsObject(i));
     vtkNew<vtkPropCollection> inside;
     prop->GetActors(inside);
-    bool any = false;
+    bool any = isVolumeShown(prop);
     for (int k = 0; k < inside->GetNumberOfItems(); ++k)
     {
       auto* actor = vtkActor::SafeDownCast(inside->GetItemAsObject(k));

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The objects of a data set: actors (several of one name form one object) or blocks of their data.
+ * The objects of a data set: actors (several of one name form one object), blocks of their data,
+ * and volumes that count as surfaces (vtkRelievoVolumesStage::Solid).
  */
 #ifndef DatasetObjects_h
 #define DatasetObjects_h
@@ -37,7 +38,7 @@ class DatasetObjects
 {
 public:
   /// Takes the visible actors. One without a name in `names` (by number) is called actor_NUMBER;
-  /// one with an empty name only hides others.
+  /// one with an empty name only hides others. Solid volumes are called volume_NUMBER.
   DatasetObjects(vtkRenderer* renderer, const std::map<int, std::string>& names, bool blocks);
 
   const std::vector<DatasetObject>& Get() const { return this->Objects; }
@@ -57,7 +58,11 @@ public:
   /// The object for values of the layers `actor` and `block`; -1: none.
   int Find(int actor, int block) const;
 
-  /// While it lives, the renderer shows the meshes of these objects only.
+  /// Whether volumes are objects, and the object of a value of the layer `volume`; -1: none.
+  bool HasVolumes() const { return !this->Volumes.empty(); }
+  int FindVolume(int volume) const;
+
+  /// While it lives, the renderer shows these objects only.
   class Alone
   {
   public:
@@ -89,10 +94,19 @@ private:
     int Object;          // -1: none
     vtkSmartPointer<vtkMatrix4x4> Pose;
   };
+  struct Volume
+  {
+    vtkProp* Prop;
+    const double* Bounds; // of the data
+    int Object;
+    vtkSmartPointer<vtkMatrix4x4> Pose;
+  };
   static std::vector<std::array<double, 3>> GetCorners(const Part& part);
+  void AddVolumes();
 
   vtkRenderer* Renderer;
   std::vector<Part> Parts;
+  std::map<int, Volume> Volumes; // by the volume's number
   std::vector<DatasetObject> Objects;
   std::map<std::pair<int, int>, int> Numbers; // object numbers by actor and block
 };

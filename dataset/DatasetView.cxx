@@ -90,6 +90,7 @@ void ForEachObject(const DatasetObjects& objects, vtkImageData* layers, const Ca
   };
   const int* actors = getNumbers("actor");
   const int* blocks = getNumbers("block");
+  const int* volumes = objects.HasVolumes() ? getNumbers("volume") : nullptr;
   std::pair<int, int> last(-1, -1); // neighbours mostly show one object
   int object = -1;
   ForEachPixel(layers, [&](std::size_t pixel, vtkIdType point) {
@@ -99,7 +100,9 @@ void ForEachObject(const DatasetObjects& objects, vtkImageData* layers, const Ca
       object = objects.Find(is.first, is.second);
       last = is;
     }
-    call(pixel, object);
+    // Rays through volumes end at the surface.
+    const int volume = volumes ? objects.FindVolume(volumes[point]) : -1;
+    call(pixel, volume >= 0 ? volume : object);
   });
 }
 
@@ -254,9 +257,10 @@ DatasetPainter::DatasetPainter(vtkRenderer* renderer, const DatasetObjects& obje
   {
     (vtkRelievoRayLayers::IsFlow(layer.c_str()) ? this->Flow : this->Layers).push_back(layer);
   }
-  for (const char* own : { "depth", "actor", "block" })
+  for (const char* own : { "depth", "actor", "block", "volume" })
   {
-    if (std::find(layers.begin(), layers.end(), own) == layers.end())
+    if ((objects.HasVolumes() || own != std::string("volume")) &&
+      std::find(layers.begin(), layers.end(), own) == layers.end())
     {
       this->Layers.emplace_back(own);
     }
@@ -349,6 +353,11 @@ DatasetView DatasetPainter::Draw(vtkRelievoCameraModel* camera, vtkRelievoCamera
         view.Layers->GetPointData()->AddArray(traced->GetPointData()->GetArray(layer.c_str()));
       }
     }
+  }
+  else if (this->Objects.HasVolumes())
+  {
+    throw UsageError("volumes that are solid need pinhole cameras: a lens and other sensors trace "
+                     "rays, which volumes are not in; switch solid of the stage volumes off");
   }
   else
   {
@@ -485,13 +494,17 @@ void DatasetPainter::DrawAlone(vtkRelievoLensCamera* camera, const std::vector<i
     {
       isShown[static_cast<std::size_t>(object)] = true;
     }
-    ForEachObject(
-      this->Objects, this->DrawLayers({ "actor", "block" }), [&](std::size_t pixel, int found) {
-        if (found >= 0 && isShown[static_cast<std::size_t>(found)])
-        {
-          call(pixel, static_cast<std::size_t>(found));
-        }
-      });
+    std::vector<std::string> layers = { "actor", "block" };
+    if (this->Objects.HasVolumes())
+    {
+      layers.emplace_back("volume");
+    }
+    ForEachObject(this->Objects, this->DrawLayers(layers), [&](std::size_t pixel, int found) {
+      if (found >= 0 && isShown[static_cast<std::size_t>(found)])
+      {
+        call(pixel, static_cast<std::size_t>(found));
+      }
+    });
   }
 }
 

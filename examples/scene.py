@@ -25,7 +25,9 @@ from relievo.vtk.vtkRenderingCore import (
     vtkRenderer,
     vtkRenderWindow,
     vtkTexture,
+    vtkVolume,
 )
+from relievo.vtk.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 
 
 def folder():
@@ -55,6 +57,57 @@ def points(places, **arrays):
         array.SetName(name)
         data.GetPointData().AddArray(array)
     return data
+
+
+def image(values, spacing=(1, 1, 1), origin=(0, 0, 0)):
+    """Values of shape (z, y, x) as an image for a volume."""
+    made = vtkImageData()
+    made.SetDimensions(*values.shape[::-1])
+    made.SetSpacing(*spacing)
+    made.SetOrigin(*origin)
+    array = numpy_to_vtk(numpy.ascontiguousarray(values).ravel(), deep=True)
+    array.SetName("values")
+    made.GetPointData().SetScalars(array)
+    return made
+
+
+def volume(data, opacity, colours, unit, step=0.5):
+    """A shaded volume: opacity over `unit` world units and colour by value, as pairs and rows; the
+    step is a share of the distance of the image's points."""
+    mapper = vtkSmartVolumeMapper()
+    mapper.SetInputData(data)
+    # VTK's defaults let the time of earlier frames choose the step, which shows as rings.
+    mapper.InteractiveAdjustSampleDistancesOff()
+    mapper.AutoAdjustSampleDistancesOff()
+    mapper.SetSampleDistance(step * min(data.GetSpacing()))
+    made = vtkVolume()
+    made.SetMapper(mapper)
+    look = made.GetProperty()
+    for value, share in opacity:
+        look.GetScalarOpacity().AddPoint(value, share)
+    for row in colours:
+        look.GetRGBTransferFunction().AddRGBPoint(*row)
+    look.SetScalarOpacityUnitDistance(unit)
+    look.SetInterpolationTypeToLinear()
+    look.ShadeOn()
+    look.SetAmbient(0.3)
+    look.SetDiffuse(0.9)
+    look.SetSpecular(0.1)
+    return made
+
+
+def ground(half, height=0, colour=(0.6, 0.6, 0.62)):
+    """A square floor around the origin, at this height; y is up."""
+    plane = vtkPlaneSource()
+    plane.SetOrigin(-half, height, -half)
+    plane.SetPoint1(-half, height, half)
+    plane.SetPoint2(half, height, -half)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(plane.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(*colour)
+    return actor
 
 
 def texture(colours):

@@ -68,7 +68,7 @@ std::vector<L> MakeTable()
   table.push_back({ "marker", L::SHARE, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
     "cover of the surface by markers: 0 nothing, 1 all" });
   table.push_back({ "volume_depth", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, Infinity, "Z",
-    "depth of a volume by the rule of the stage volumes, world units" });
+    "depth of a volume by the rule of the stage volumes, world units", "VOLUME_DEPTH" });
   table.push_back({ "volume_position", L::POSITION, L::FROM_STAGE, VTK_DOUBLE, 3, 0.0, "X,Y,Z",
     "position in the world at the depth of a volume" });
   table.push_back({ "volume_value", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, None, "V",

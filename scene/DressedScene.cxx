@@ -62,7 +62,8 @@ constexpr const char* Reading[] = { "--allow-folder", "--time", "--times", "--an
   "--loop", "--image", "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map",
   "--texture-coordinates", "--up" };
 constexpr const char* Wearing[] = { "--normal-map", "--height-map", "--relief", "--material",
-  "--texture-coordinates", "--opacity", "--environment", "--reflectivity", "--skybox", "--up" };
+  "--texture-coordinates", "--opacity", "--opacity-curve", "--volume-step", "--environment",
+  "--reflectivity", "--skybox", "--up" };
 constexpr const char* NoDress[] = { "--camera", "--clip", "--size", "--shadows" };
 
 template <typename Names>

@@ -489,7 +489,10 @@ void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, b
       }
     }
   });
-  ForEachVolume(renderer,
-    [&look](vtkImageData*, vtkVolume* volume) { SetVolumeOpacity(volume, look.Opacity); });
+  ForEachVolume(renderer, [&look](vtkImageData*, vtkVolume* volume) {
+    SetVolumeOpacity(volume, look.Opacity);
+    SetVolumeCurve(volume, look.OpacityCurve);
+    SetVolumeStep(volume, look.VolumeStep);
+  });
 }
 }

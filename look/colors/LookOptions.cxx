@@ -4,6 +4,7 @@
 
 #include "Colormaps.h"
 #include "Errors.h"
+#include "Numbers.h"
 #include "Values.h"
 
 #include "vtkRelievoColorWords.h"
@@ -120,6 +121,44 @@ void TakeBar(LookChoice& look, const std::string& word)
 void TakeColor(LookChoice& look, const std::string& word)
 {
   look.Solid = ParseColor("--color", word);
+}
+
+//------------------------------------------------------------------------------
+void TakeOpacityCurve(LookChoice& look, const std::string& word)
+{
+  const char* const form = "VALUE/OPACITY,VALUE/OPACITY,... with increasing values and opacities "
+                           "from 0 to 1, at least two";
+  std::vector<std::array<double, 2>> curve;
+  for (const std::string& part : Split(word, ','))
+  {
+    const std::vector<std::string> pair = Split(part, '/');
+    if (pair.size() != 2)
+    {
+      RefuseValue("--opacity-curve", word, form);
+    }
+    const std::vector<double> n = ParseNumbers("--opacity-curve", Join(pair, ","), 2, form);
+    if (n[1] < 0.0 || n[1] > 1.0 || (!curve.empty() && n[0] <= curve.back()[0]))
+    {
+      RefuseValue("--opacity-curve", word, form);
+    }
+    curve.push_back({ n[0], n[1] });
+  }
+  if (curve.size() < 2)
+  {
+    RefuseValue("--opacity-curve", word, form);
+  }
+  look.OpacityCurve = curve;
+}
+
+//------------------------------------------------------------------------------
+std::string WriteOpacityCurve(const std::vector<std::array<double, 2>>& curve)
+{
+  std::vector<std::string> words;
+  for (const std::array<double, 2>& point : curve)
+  {
+    words.push_back(WriteNumber(point[0]) + "/" + WriteNumber(point[1]));
+  }
+  return Join(words, ",");
 }
 
 //------------------------------------------------------------------------------

@@ -55,7 +55,9 @@ struct LookChoice
   PrintChoice Print;
   std::optional<Color> Solid;
   double Opacity = 1.0;
-  double PointSize = 1.0; ///< pixels; larger ones are spheres
+  std::vector<std::array<double, 2>> OpacityCurve; ///< values and opacities of volumes; none: found
+  double VolumeStep = 0.5; ///< of rays through volumes, as a share of the points' distance
+  double PointSize = 1.0;  ///< pixels; larger ones are spheres
   bool Edges = false;
   bool Grid = false;
   std::optional<std::string> ScaleBar; ///< unit, may be empty; none: no bar
@@ -68,8 +70,12 @@ void TakeRange(LookChoice& look, const std::string& word);
 void TakeColormap(LookChoice& look, const std::string& word);
 void TakeBar(LookChoice& look, const std::string& word);
 void TakeColor(LookChoice& look, const std::string& word);
+void TakeOpacityCurve(LookChoice& look, const std::string& word);
 void TakeScaleBar(LookChoice& look, const std::string& word);
 void TakeBackground(LookChoice& look, const std::string& word);
+
+/// The word of an opacity curve.
+std::string WriteOpacityCurve(const std::vector<std::array<double, 2>>& curve);
 
 /// Parses "#rrggbb", "R/G/B" from 0 to 1, or an HTML colour name.
 Color ParseColor(const std::string& option, const std::string& word);

@@ -13,6 +13,7 @@
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoShading.h"
+#include "vtkRelievoTellVolumes.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkShaderProgram.h"
 
@@ -130,7 +131,7 @@ void vtkRelievoDeferredStage::Execute(vtkRelievoFrameContext& context)
     words += "; VTK lights " + std::to_string(left.second) +
       (left.second == 1 ? " that " : ", each of which ") + left.first;
   }
-  this->Explain("ran", words);
+  this->Explain("ran", words + vtkRelievoTellVolumes(context, "lit by VTK"));
 }
 
 //------------------------------------------------------------------------------

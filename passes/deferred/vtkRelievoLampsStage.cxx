@@ -15,6 +15,7 @@
 #include "vtkRelievoLamps.h"
 #include "vtkRelievoResource.h"
 #include "vtkRelievoScopedState.h"
+#include "vtkRelievoTellVolumes.h"
 #include "vtkRelievoTranslucentLamps.h"
 
 #include <algorithm>
@@ -283,7 +284,8 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
               std::string(
                 this->Translucent ? "translucent surfaces are" : "the shadow catcher is") +
               " lit"
-                                                : ""));
+                                                : "") +
+        vtkRelievoTellVolumes(context, "not lit"));
   }
 }
 

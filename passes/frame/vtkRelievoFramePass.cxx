@@ -304,9 +304,12 @@ bool vtkRelievoFramePass::ReadLayers(const std::vector<std::string>& names, vtkI
 std::string vtkRelievoFramePass::TryReadLayers(
   const std::vector<std::string>& names, vtkImageData* image)
 {
-  return image
-    ? this->Internal->Reader.Read(names, image)
-    : "Reading layers needs an image to fill, and was given none; give it a vtkImageData.";
+  if (!image)
+  {
+    return "Reading layers needs an image to fill, and was given none; give it a vtkImageData.";
+  }
+  const std::string wrong = this->Internal->Reader.Read(names, image);
+  return wrong.empty() ? this->Internal->Reader.Amend(names, image) : wrong;
 }
 
 //------------------------------------------------------------------------------
@@ -433,7 +436,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
     in.Translucent.Release(window);
   }
   in.DropPointGroups(renderer);
-  in.Reader.SetFrame(run.GetWriters(), run.GetMissing());
+  in.Reader.SetFrame(run.GetWriters(), run.GetAmenders(), run.GetMissing());
 
   const vtkRelievoSampleOffset offset(context);
   in.Timer.Begin("frame");

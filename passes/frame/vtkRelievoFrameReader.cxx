@@ -10,18 +10,22 @@
 
 //------------------------------------------------------------------------------
 void vtkRelievoFrameReader::SetFrame(
-  std::map<std::string, vtkRelievoStage*> writers, std::map<std::string, std::string> missing)
+  Stages writers, Stages amenders, std::map<std::string, std::string> missing)
 {
   this->Writers = std::move(writers);
+  this->Amenders = std::move(amenders);
   this->Missing = std::move(missing);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoFrameReader::Forget(vtkRelievoStage* stage)
 {
-  for (auto writer = this->Writers.begin(); writer != this->Writers.end();)
+  for (Stages* stages : { &this->Writers, &this->Amenders })
   {
-    writer = writer->second == stage ? this->Writers.erase(writer) : std::next(writer);
+    for (auto each = stages->begin(); each != stages->end();)
+    {
+      each = each->second == stage ? stages->erase(each) : std::next(each);
+    }
   }
 }
 
@@ -81,6 +85,26 @@ std::string vtkRelievoFrameReader::Read(const std::vector<std::string>& names, v
           "before.";
     }
     from = to;
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFrameReader::Amend(const std::vector<std::string>& names, vtkImageData* image)
+{
+  std::map<vtkRelievoStage*, std::vector<std::string>> amended;
+  for (const std::string& name : names)
+  {
+    const auto found = this->Amenders.find(name);
+    if (found != this->Amenders.end())
+    {
+      amended[found->second].push_back(name);
+    }
+  }
+  std::string wrong;
+  for (const auto& [stage, layers] : amended)
+  {
+    wrong = wrong.empty() ? stage->ReadLayers(layers, image) : wrong;
   }
   return wrong;
 }

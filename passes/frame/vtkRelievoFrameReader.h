@@ -23,16 +23,20 @@ public:
   {
   }
 
-  // Starts a new frame: the writer of each layer ("": any other layer), and layers that cannot be
-  // made, with the reasons.
-  void SetFrame(
-    std::map<std::string, vtkRelievoStage*> writers, std::map<std::string, std::string> missing);
+  using Stages = std::map<std::string, vtkRelievoStage*>; // by layer
+
+  // Starts a new frame: the writer of each layer ("": any other layer), stages that change layers
+  // of others, and layers that cannot be made, with the reasons.
+  void SetFrame(Stages writers, Stages amenders, std::map<std::string, std::string> missing);
 
   // For a stage that leaves the frame.
   void Forget(vtkRelievoStage* stage);
 
   // Adds the layers to the image's point data. Returns an error message; "" if all were added.
   std::string Read(const std::vector<std::string>& names, vtkImageData* image);
+
+  // Lets stages change the layers that were read of others.
+  std::string Amend(const std::vector<std::string>& names, vtkImageData* image);
 
 private:
   vtkRelievoStage* FindWriter(const std::string& name) const;
@@ -41,7 +45,8 @@ private:
 
   vtkRelievoColorTarget& Color;
   vtkRelievoSampleAccumulator& Samples;
-  std::map<std::string, vtkRelievoStage*> Writers;
+  Stages Writers;
+  Stages Amenders;
   std::map<std::string, std::string> Missing;
 };
 

@@ -107,6 +107,19 @@ void vtkRelievoFrameRun::Declare()
       uses.insert(uses.end(), description.Writes.begin(), description.Writes.end());
     }
   }
+  std::vector<std::string>& layers = this->Context.ReadBack;
+  for (const vtkRelievoFramePlan::Node& node : this->Nodes)
+  {
+    const std::vector<std::string>& amends = node.Declaration.Amends;
+    const auto isAsked = [&layers](const std::string& name) {
+      return std::find(layers.begin(), layers.end(), name) != layers.end();
+    };
+    if (node.Declaration.Runs && std::any_of(amends.begin(), amends.end(), isAsked) &&
+      !isAsked(node.Declaration.AmendsBy))
+    {
+      layers.push_back(node.Declaration.AmendsBy);
+    }
+  }
   this->FindLights();
 }
 
@@ -230,6 +243,24 @@ std::map<std::string, vtkRelievoStage*> vtkRelievoFrameRun::GetWriters() const
     }
   }
   return writers;
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, vtkRelievoStage*> vtkRelievoFrameRun::GetAmenders() const
+{
+  std::map<std::string, vtkRelievoStage*> amenders;
+  for (std::size_t i = 0; i < this->Stages.size(); ++i)
+  {
+    const vtkRelievoFramePlan::Node& node = this->Nodes[i + 1];
+    for (const std::string& layer : node.Declaration.Amends)
+    {
+      if (node.Needed)
+      {
+        amenders[layer] = this->Stages[i];
+      }
+    }
+  }
+  return amenders;
 }
 
 //------------------------------------------------------------------------------

@@ -75,6 +75,9 @@ public:
   // The writers of the layers requested in this frame; "" is the writer of any other layer.
   std::map<std::string, vtkRelievoStage*> GetWriters() const;
 
+  // The stages that change layers of others when they are read.
+  std::map<std::string, vtkRelievoStage*> GetAmenders() const;
+
   // Requested layers that cannot be made, and the reasons.
   const std::map<std::string, std::string>& GetMissing() const
   {

@@ -31,6 +31,9 @@ public:
   // Makes the opacities of a step of this length in data units, for FindStep.
   void SetStep(double length);
 
+  // Whether values between points are interpolated.
+  bool IsLinear() const { return this->Linear; }
+
   // The value at a position in points of the image, from 0.
   double GetValue(const glm::dvec3& position) const;
 

@@ -15,6 +15,7 @@
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <array>
@@ -80,6 +81,12 @@ void vtkRelievoDrawnVolume::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* v
   ++this->Draws;
   this->IsExtreme = mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND;
   vtkDataSet* data = mapper->GetDataSetInput();
+  int cells = 0;
+  vtkDataArray* values = vtkAbstractMapper::GetScalars(data, mapper->GetScalarMode(),
+    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells);
+  this->IsWhole = values && values->GetDataType() != VTK_FLOAT &&
+    values->GetDataType() != VTK_DOUBLE &&
+    volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
   this->HasMarch = this->Draws == 1 && this->March.Take(mapper, volume, longest);
   const glm::dmat4 dataToWorld = vtkRelievoToGlm(volume->GetMatrix());
   this->GridToData = glm::dmat4(1.0);
@@ -108,11 +115,12 @@ void vtkRelievoDrawnVolume::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* v
 //------------------------------------------------------------------------------
 vtkRelievoVolumeReader::vtkRelievoVolumeReader(vtkRelievoVolumeTarget& target,
   std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view, int rule,
-  double threshold)
+  double threshold, bool refines)
   : Volumes(volumes)
   , View(view)
   , Rule(rule)
   , Threshold(threshold)
+  , Refines(refines)
   , Internal(new Pixels)
 {
   Pixels& in = *this->Internal;
@@ -151,7 +159,7 @@ void vtkRelievoVolumeReader::Find(int index)
     inData = std::max(inData, 8.0 * Epsilon * glm::length(Point(volume.GridToData, corner)));
     inDepth = std::max(inDepth, 8.0 * Epsilon * glm::length(Point(volume.GridToWorld, corner)));
   }
-  bool refines = volume.HasMarch && volume.March.IsUnchanged();
+  bool refines = this->Refines && volume.HasMarch && volume.March.IsUnchanged();
   const auto step =
     std::find_if(texels[1].begin(), texels[1].end(), [](float x) { return x > 0.0f; });
   if (refines && step != texels[1].end())
@@ -184,7 +192,7 @@ void vtkRelievoVolumeReader::Find(int index)
     const double off = std::abs(ray.GetDepth(t) - start[0]) / perDepth * perT;
     // On the box's faces, OpenGL also rounds the corners to a part of a pixel.
     const double rounding = inData + inDepth / perDepth * perT + (isInside ? 0.0 : 0.5 * start[1]);
-    float value = found[1];
+    float value = volume.IsWhole ? std::round(found[1]) : found[1];
     if (off <= rounding)
     {
       const double stepT = start[1] / perT;
@@ -196,10 +204,12 @@ void vtkRelievoVolumeReader::Find(int index)
           volume.March.FindStep(ray.At(t) - volume.Corners[0], stepT * (ray.End - ray.Begin),
             this->Rule, this->Threshold, std::max(1, near - Around), near + Around);
         steps = std::isnan(refined) ? steps : refined;
+        // Between samples of other values, such as labels, only a sample has a value.
+        const double valued = volume.March.IsLinear() ? steps : std::ceil(steps);
+        value =
+          static_cast<float>(volume.March.GetValue(ray.At(t + valued * stepT) - volume.Corners[0]));
       }
       t += steps * stepT;
-      value =
-        refines ? static_cast<float>(volume.March.GetValue(ray.At(t) - volume.Corners[0])) : value;
     }
     else
     {
@@ -245,23 +255,61 @@ bool vtkRelievoVolumeReader::HasLostBricks() const
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoVolumeReader::FindAll()
+{
+  Pixels& in = *this->Internal;
+  const std::size_t count = static_cast<std::size_t>(in.Columns) * in.Rows;
+  if (!in.Nearest.empty())
+  {
+    return;
+  }
+  in.Nearest.assign(count, -1);
+  in.Depths.assign(count, std::numeric_limits<double>::infinity());
+  in.Places.assign(count, glm::dvec3(0.0));
+  in.Values.assign(count, 0.0f);
+  for (int i = 0; i < static_cast<int>(this->Volumes.size()); ++i)
+  {
+    if (this->Volumes[i].HasDepth)
+    {
+      this->Find(i);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Rays through volumes end at the surface: where a volume has a place, it is the nearer one.
+void vtkRelievoVolumeReader::Amend(const std::string& name, vtkImageData* image)
+{
+  Pixels& in = *this->Internal;
+  this->FindAll();
+  vtkDataArray* array = image->GetPointData()->GetArray(name.c_str());
+  for (std::size_t i = 0; i < in.Nearest.size(); ++i)
+  {
+    if (in.Nearest[i] < 0)
+    {
+      continue;
+    }
+    const auto pixel = static_cast<vtkIdType>(i);
+    if (name == "position")
+    {
+      array->SetTuple(pixel, &in.Places[i][0]);
+    }
+    else
+    {
+      array->SetTuple1(pixel,
+        name == "depth" ? in.Depths[i] : glm::length(Point(this->View.WorldToView, in.Places[i])));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoVolumeReader::Read(const std::string& name, vtkImageData* image)
 {
   Pixels& in = *this->Internal;
   const std::size_t count = static_cast<std::size_t>(in.Columns) * in.Rows;
-  if (name != "volume_opacity" && in.Nearest.empty())
+  if (name != "volume_opacity")
   {
-    in.Nearest.assign(count, -1);
-    in.Depths.assign(count, std::numeric_limits<double>::infinity());
-    in.Places.assign(count, glm::dvec3(0.0));
-    in.Values.assign(count, 0.0f);
-    for (int i = 0; i < static_cast<int>(this->Volumes.size()); ++i)
-    {
-      if (this->Volumes[i].HasDepth)
-      {
-        this->Find(i);
-      }
-    }
+    this->FindAll();
   }
   const vtkRelievoLayer& layer = vtkRelievoLayerCatalogue::Find(name);
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(layer.Type));

@@ -26,6 +26,7 @@ struct vtkRelievoDrawnVolume
   int Draws = 0;          // blocks that were drawn
   bool HasDepth = true;   // false: only the opacity is right
   bool IsExtreme = false; // drawn as maximum or minimum intensity
+  bool IsWhole = false;   // values are those of points, and whole numbers
   glm::dmat4 GridToWorld; // from indices of points; from data coordinates for rectilinear grids
   glm::dmat4 GridToData;  // the space in which VTK's steps have their length
   glm::dvec3 Corners[2];  // of the grid
@@ -42,9 +43,10 @@ class vtkRelievoVolumeReader
 {
 public:
   // Reads the target. The rule and its threshold are those by which the volumes were drawn.
+  // `refines`: whether to find places in double; otherwise they are those of the GPU.
   vtkRelievoVolumeReader(vtkRelievoVolumeTarget& target,
     std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view, int rule,
-    double threshold);
+    double threshold, bool refines);
   ~vtkRelievoVolumeReader();
   vtkRelievoVolumeReader(const vtkRelievoVolumeReader&) = delete;
   void operator=(const vtkRelievoVolumeReader&) = delete;
@@ -56,15 +58,20 @@ public:
   // once for all.
   void Read(const std::string& layer, vtkImageData* image);
 
+  // Puts volumes into a layer of surfaces: depth, range or position.
+  void Amend(const std::string& layer, vtkImageData* image);
+
 private:
   struct Pixels;
 
+  void FindAll();
   void Find(int volume);
 
   std::vector<vtkRelievoDrawnVolume>& Volumes;
   vtkRelievoFrameCamera View;
   int Rule;
   double Threshold;
+  bool Refines;
   std::unique_ptr<Pixels> Internal;
 };
 

@@ -47,6 +47,9 @@ public:
   // The texels of a volume, four floats a pixel in rows from the bottom.
   std::array<std::vector<float>, Textures> Read(int volume);
 
+  // The texture of a volume's places: steps, value, depth, whether there is one.
+  vtkTextureObject* GetPlaces(int volume) { return this->Volumes[volume][1]; }
+
   const int* GetArea() const { return this->Area; } // for vtkRelievoScreenQuad::Draw
   vtkIdType GetBytes() const;
   void Release(vtkWindow* window);

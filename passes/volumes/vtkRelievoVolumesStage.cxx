@@ -7,7 +7,9 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkPropCollection.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkRelievoFrameContext.h"
@@ -16,6 +18,7 @@
 #include "vtkRelievoReportOnce.h"
 #include "vtkRelievoResource.h"
 #include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoScreenTarget.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkRelievoVolumeReader.h"
@@ -32,9 +35,12 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace
 {
+const vtkRelievoResourceName VolumeDepth = vtkRelievoResourceName::Of("volume_depth");
+
 // A part that is drawn by itself: a volume, one in an assembly, or the level of detail that VTK
 // chooses.
 struct Drawn
@@ -132,6 +138,14 @@ std::string GetComponent(const std::string& fragment, vtkVolumeMapper* mapper, v
   return std::to_string(heaviest);
 }
 
+void AddText(vtkImageData* image, const char* name, const std::string& words)
+{
+  vtkNew<vtkStringArray> text;
+  text->SetName(name);
+  text->InsertNextValue(words);
+  image->GetFieldData()->AddArray(text);
+}
+
 const std::string Declared = "//RELIEVO::Volumes::Dec";
 const std::string Sampled = "//RELIEVO::Volumes::Sample";
 const std::string Ended = "//RELIEVO::Volumes::Exit";
@@ -183,7 +197,7 @@ std::string Fill(std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volu
 class vtkRelievoVolumesStage::Internals
 {
 public:
-  // Volumes are merged when their layers are read: no shader reads these.
+  // Layers other than volume_depth are merged when they are read: no shader reads these.
   class Merged : public vtkRelievoResource
   {
   public:
@@ -195,8 +209,11 @@ public:
   vtkNew<vtkRelievoVolumeSplice> Splice;
   vtkRelievoVolumeTarget Target;
   vtkRelievoScreenQuad Quad;
+  vtkRelievoScreenTarget Depth{ "relievoVolumeDepths" }; // the nearest
+  vtkRelievoScreenQuad Nearest;
   std::vector<vtkRelievoDrawnVolume> Volumes;     // in the target
   std::unique_ptr<vtkRelievoVolumeReader> Reader; // of the last frame, once layers are read
+  bool InFrame = false; // stages may read layers, as the GPU has found them
   vtkRelievoFrameCamera View;
   int Rule = OPACITY; // of the last frame
   double Threshold = 0.5;
@@ -212,6 +229,7 @@ vtkRelievoVolumesStage::vtkRelievoVolumesStage()
   : Internal(new Internals)
 {
   vtkRelievoVolumeSplice* splice = this->Internal->Splice;
+  this->Internal->Depth.SetDefines("#define RELIEVO_VOLUME_DEPTH\n");
   splice->Mark = Mark;
   splice->Fill = Fill;
   splice->Report = [this](const std::string& message) {
@@ -250,6 +268,24 @@ void vtkRelievoVolumesStage::Describe(vtkRelievoStageDescription& description)
       "opacity", this->Opacity, [this](double opacity) { this->SetOpacity(opacity); }, 0.001, 0.99,
       "", "Accumulated opacity at the depth of a volume.")
     .OnlyIf = "rule=opacity";
+  description
+    .AddFlag(
+      "solid", this->Solid, [this](bool on) { this->SetSolid(on); },
+      "Volumes count as surfaces: depth, range and position are those of the nearer of both, and "
+      "volumes are objects of data sets.")
+    .Label = "Volumes Are Solid";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumesStage::Declare(
+  const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
+{
+  declaration.OptionalWrites = { VolumeDepth };
+  if (this->Solid && context.Renderer->GetVolumes()->GetNumberOfItems() > 0)
+  {
+    declaration.Amends = { "depth", "range", "position" };
+    declaration.AmendsBy = VolumeDepth.Get();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -258,6 +294,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   Internals& in = *this->Internal;
   this->DrawCalls = 0;
   in.Reader.reset();
+  in.InFrame = true;
   in.Volumes.clear();
   in.Wrong.clear();
   in.View = context.View;
@@ -267,7 +304,27 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   in.RuleWords += this->Rule == OPACITY ? "=" + this->GetParameter("opacity") : std::string();
   for (const std::string& layer : context.GetAsked(this))
   {
-    context.ProvideLayer(layer, &in.Layers);
+    if (layer != VolumeDepth.Get())
+    {
+      context.ProvideLayer(layer, &in.Layers);
+    }
+  }
+  const bool hasDepth = context.IsAsked(this, VolumeDepth);
+  if (hasDepth)
+  {
+    vtkRelievoScreenTarget::Format format;
+    format.Channels = 1;
+    format.Halves = false;
+    const std::string fault = in.Depth.Prepare(context, format);
+    if (!fault.empty())
+    {
+      in.Wrong = fault;
+      this->Explain("failed", fault);
+      return;
+    }
+    in.Depth.Begin(context, std::numeric_limits<float>::infinity());
+    in.Depth.End();
+    context.ProvideLayer(VolumeDepth.Get(), &in.Depth);
   }
   std::vector<Drawn> volumes;
   std::string wrong;
@@ -327,6 +384,8 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
       drawn.Index = (place > 0 ? place : all->IsItemPresent(each.Volumes.front())) - 1;
       program->SetUniformi("relievoVolumeRule", this->Rule);
       program->SetUniformf("relievoVolumeThreshold", static_cast<float>(this->Opacity));
+      program->SetUniformi("relievoVolumeLinear",
+        volume->GetProperty()->GetInterpolationType() == VTK_LINEAR_INTERPOLATION);
       const glm::vec3 points(drawn.Points);
       program->SetUniform3f("relievoVolumePoints", &points[0]);
     };
@@ -369,12 +428,58 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   }
   in.Splice->Set = nullptr;
   in.Target.End();
+  if (hasDepth)
+  {
+    const std::string fault = this->FindNearest(context);
+    if (!fault.empty())
+    {
+      this->Explain("failed", fault);
+      return;
+    }
+  }
   this->Explain("ran", "draws " + std::to_string(in.Volumes.size()) + " volumes");
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoVolumesStage::ReadLayers(
-  const std::vector<std::string>& names, vtkImageData* image)
+std::string vtkRelievoVolumesStage::FindNearest(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  vtkShaderProgram* program = in.Nearest.Ready(context, "volumes/nearestFS.glsl", {});
+  if (!program)
+  {
+    return in.Nearest.GetWrong();
+  }
+  vtkOpenGLState* state = context.Window->GetState();
+  in.Depth.GoOn(context);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_MIN);
+  for (std::size_t i = 0; i < in.Volumes.size(); ++i)
+  {
+    if (in.Volumes[i].HasDepth)
+    {
+      vtkTextureObject* texels = in.Target.GetPlaces(static_cast<int>(i));
+      texels->Activate();
+      program->SetUniformi("relievoVolumeTexels", texels->GetTextureUnit());
+      in.Nearest.Draw(context, in.Depth.GetArea());
+      texels->Deactivate();
+      ++this->DrawCalls;
+    }
+  }
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  in.Depth.End();
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumesStage::Finish(vtkRelievoFrameContext&)
+{
+  this->Internal->InFrame = false;
+  this->Internal->Reader.reset();
+}
+
+//------------------------------------------------------------------------------
+// Makes the reader, if the layer can be read; otherwise returns an error message.
+std::string vtkRelievoVolumesStage::Open(const std::string& layer)
 {
   Internals& in = *this->Internal;
   if (in.Volumes.empty() && !in.Wrong.empty())
@@ -383,39 +488,51 @@ std::string vtkRelievoVolumesStage::ReadLayers(
   }
   if (!in.Reader)
   {
-    in.Reader.reset(
-      new vtkRelievoVolumeReader(in.Target, in.Volumes, in.View, in.Rule, in.Threshold));
+    in.Reader.reset(new vtkRelievoVolumeReader(
+      in.Target, in.Volumes, in.View, in.Rule, in.Threshold, !in.InFrame));
   }
-  const auto needsPlace = std::find_if(
-    names.begin(), names.end(), [](const std::string& name) { return name != "volume_opacity"; });
-  if (in.Reader->HasLostBricks() && needsPlace != names.end())
-  {
-    return "The layer '" + *needsPlace +
+  return layer != "volume_opacity" && in.Reader->HasLostBricks() ? "The layer '" + layer +
       "' cannot be read: a volume is drawn in bricks (SetPartitions), which only the rule 'first' "
-      "combines, of composited volumes. Set that rule, or call SetPartitions(1, 1, 1).";
-  }
+      "combines, of composited volumes. Set that rule, or call SetPartitions(1, 1, 1)."
+                                                                 : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoVolumesStage::ReadLayers(
+  const std::vector<std::string>& names, vtkImageData* image)
+{
+  Internals& in = *this->Internal;
   for (const std::string& name : names)
   {
-    in.Reader->Read(name, image);
+    const std::string wrong = this->Open(name);
+    if (!wrong.empty())
+    {
+      return wrong;
+    }
+    const bool isOwn = name.compare(0, 6, "volume") == 0;
+    isOwn ? in.Reader->Read(name, image) : in.Reader->Amend(name, image);
+    if (!isOwn)
+    {
+      AddText(image, "depthOf", "surfaces and volumes");
+    }
   }
-  vtkNew<vtkStringArray> rule;
-  rule->SetName("volumeRule");
-  rule->InsertNextValue(in.RuleWords);
-  image->GetFieldData()->AddArray(rule);
+  AddText(image, "volumeRule", in.RuleWords);
   return {};
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoVolumesStage::GetBytesHeld()
 {
-  return this->Internal->Target.GetBytes();
+  return this->Internal->Target.GetBytes() + this->Internal->Depth.GetBytes();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoVolumesStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Target.Release(window);
+  this->Internal->Depth.Release(window);
   this->Internal->Quad.Release(window);
+  this->Internal->Nearest.Release(window);
   this->Internal->Reader.reset();
   this->Internal->Volumes.clear();
   this->DrawCalls = 0;

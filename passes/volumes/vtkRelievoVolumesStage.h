@@ -17,8 +17,9 @@
  * vtkSmartVolumeMapper and vtkMultiBlockVolumeMapper, with the mapper's step of full quality,
  * without jitter: it follows transfer functions, cropping, clipping planes and masks. The ray ends
  * at the visible surface. When layers are read, the place is refined in double by the same march
- * (vtkRelievoVolumeMarch). Rejected, with one error: other mappers and vtkMultiVolume, blend modes
- * other than composite, maximum and minimum, and, except for FIRST, data drawn in several blocks.
+ * (vtkRelievoVolumeMarch). Stages read the layer `volume_depth` as the GPU has found it. Rejected,
+ * with one error: other mappers and vtkMultiVolume, blend modes other than composite, maximum and
+ * minimum, and, except for FIRST, data drawn in several blocks.
  */
 #ifndef vtkRelievoVolumesStage_h
 #define vtkRelievoVolumesStage_h
@@ -59,13 +60,24 @@ public:
   vtkGetMacro(Opacity, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether volumes count as surfaces: `depth`, `range` and `position`, when they are read, are
+   * those of the nearer of surface and volume, and data sets have volumes as objects. Default off.
+   */
+  vtkSetMacro(Solid, bool);
+  vtkGetMacro(Solid, bool);
+  vtkBooleanMacro(Solid, bool);
+  ///@}
+
   vtkIdType GetBytesHeld() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 #ifndef __VTK_WRAP__
   /**
    * Reads layers of the last frame: see vtkRelievoStage::ReadLayers. The image's field data gets
-   * the rule as the text `volumeRule`: "first", "opacity=0.5", "strongest".
+   * the rule as the text `volumeRule`: "first", "opacity=0.5", "strongest"; with Solid, and if
+   * `depth`, `range` or `position` was read, the text `depthOf`: "surfaces and volumes".
    */
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
 #endif
@@ -75,12 +87,19 @@ protected:
   ~vtkRelievoVolumesStage() override;
 
   void Describe(vtkRelievoStageDescription& description) override;
+  void Declare(
+    const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
   void Execute(vtkRelievoFrameContext& context) override;
+  void Finish(vtkRelievoFrameContext& context) override;
 
   int Rule = OPACITY;
   double Opacity = 0.5;
+  bool Solid = false;
 
 private:
+  std::string FindNearest(vtkRelievoFrameContext& context);
+  std::string Open(const std::string& layer);
+
   vtkRelievoVolumesStage(const vtkRelievoVolumesStage&) = delete;
   void operator=(const vtkRelievoVolumesStage&) = delete;
 

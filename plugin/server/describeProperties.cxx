@@ -494,7 +494,8 @@ std::map<std::string, std::string> MakeAll()
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
     const vtkRelievoStageDescription& stage = frame->GetStage(i)->GetDescription();
-    const bool isSwitched = !stage.OnByDefault || stage.TakesData;
+    // Of the stages that are always on, those with data, and volumes, whose rule users choose.
+    const bool isSwitched = !stage.OnByDefault || stage.TakesData || stage.Name == "volumes";
     if (isSwitched && frame->GetStage(i) != frame->GetShadowStage())
     {
       AddStage(frame->GetStage(i), made);

@@ -119,6 +119,7 @@ from ._image import attributes, from_image, layer, layer_names, to_image
 from ._keep import attach, detach
 from ._layers import layers
 from ._parts import Part, merge, parts, verify
+from ._pick import pick
 from ._picture import picture, write_png
 from ._points import depth_to_points
 from ._rays import rays
@@ -166,6 +167,7 @@ __all__ = [
     "merge",
     "moment",
     "parts",
+    "pick",
     "picture",
     "provide_vtkmodules",
     "rays",

@@ -33,7 +33,7 @@ import pyvista
 if not hasattr(pyvista, "register_plotter_component"):
     raise ImportError(f"relievo.pyvista: got PyVista {pyvista.__version__}, expected 0.48 or later")
 
-from . import _capture, _environment, _exr, _frame, _image, _stages, _things
+from . import _capture, _environment, _exr, _frame, _image, _pick, _stages, _things
 from ._errors import describe, is_a
 from ._keep import kept
 from ._wrapped import vtkRelievoEnvironment, vtkRelievoPass, vtkRelievoStage
@@ -143,6 +143,11 @@ class RelievoComponent:
               hdr: bool = False) -> numpy.ndarray:  # fmt: skip
         """One layer of what is visible, as a numpy array with row 0 at the top."""
         return _image.layer(self._captured(name, size, hdr), name)
+
+    def pick(self, x: int, y: int, arrays: Sequence[str] = ()) -> _pick.Picked:
+        """As relievo.pick(): what a pixel of the active renderer shows, volumes included."""
+        self._renderer()
+        return _pick.pick(self._plotter, x, y, arrays)
 
     def _captured(self, layers, size, hdr):
         self._renderer()

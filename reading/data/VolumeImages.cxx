@@ -14,17 +14,18 @@
 #include "vtkDiscreteFlyingEdges3D.h"
 #include "vtkExtractVOI.h"
 #include "vtkFlyingEdges3D.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageConstantPad.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
-#include "vtkSmartVolumeMapper.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -52,7 +53,7 @@ constexpr double LeastLeaps = 0.25;
 constexpr double SameShare = 1e-6;
 
 // Sample distance of a volume, as a share of the distance of its points.
-constexpr float SampleShare = 0.5F;
+constexpr double SampleShare = 0.5;
 // Differences between neighbours from which a sample stops all its light, as a share of the range.
 constexpr double EvenShare = 0.002;
 constexpr double EvenLabels = 0.1;  // for labels, which differ by at least 1
@@ -431,22 +432,24 @@ vtkSmartPointer<vtkPolyData> MakeIsosurface(vtkImageData* image, double value, P
   return made;
 }
 
-//------------------------------------------------------------------------------
-void SetVolumeOpacity(vtkVolume* volume, double opacity)
+namespace
 {
-  auto* image = vtkImageData::SafeDownCast(volume->GetMapper()->GetInputDataObject(0, 0));
-  const double share = std::max(opacity * opacity, LeastShare);
-  volume->GetProperty()->SetScalarOpacityUnitDistance(0.01 * image->GetLength() / share);
-}
+// The opacity of a new volume, per hundredth of the image's diagonal: finding it takes time.
+class FoundOpacity : public vtkPiecewiseFunction
+{
+public:
+  static FoundOpacity* New();
+  vtkTypeMacro(FoundOpacity, vtkPiecewiseFunction);
+};
 
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
+vtkStandardNewMacro(FoundOpacity);
+
+vtkSmartPointer<vtkPiecewiseFunction> MakeOpacity(vtkImageData* image)
 {
   double range[2];
   image->GetPointData()->GetScalars()->GetFiniteRange(range);
-  const bool labels = HasLabels(image);
-  vtkNew<vtkPiecewiseFunction> opacity; // per hundredth of the image's diagonal
-  if (labels)                           // labels: all are visible but 0, the background
+  auto opacity = vtkSmartPointer<FoundOpacity>::New();
+  if (HasLabels(image)) // all labels are visible but 0, the background
   {
     opacity->AddPoint(-0.5, MostOpacity);
     opacity->AddPoint(-0.25, 0.0);
@@ -461,15 +464,64 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
     opacity->AddPoint(threshold, 0.15);
     opacity->AddPoint(range[1], MostOpacity);
   }
+  return opacity;
+}
+}
+
+//------------------------------------------------------------------------------
+void SetVolumeOpacity(vtkVolume* volume, double opacity)
+{
+  auto* image = vtkImageData::SafeDownCast(volume->GetMapper()->GetInputDataObject(0, 0));
+  const double share = std::max(opacity * opacity, LeastShare);
+  volume->GetProperty()->SetScalarOpacityUnitDistance(0.01 * image->GetLength() / share);
+}
+
+//------------------------------------------------------------------------------
+void SetVolumeCurve(vtkVolume* volume, const std::vector<std::array<double, 2>>& curve)
+{
+  auto* image = vtkImageData::SafeDownCast(volume->GetMapper()->GetInputDataObject(0, 0));
+  if (curve.empty())
+  {
+    if (FoundOpacity::SafeDownCast(volume->GetProperty()->GetScalarOpacity()))
+    {
+      return;
+    }
+    volume->GetProperty()->SetScalarOpacity(MakeOpacity(image));
+    return;
+  }
+  vtkNew<vtkPiecewiseFunction> opacity;
+  for (const std::array<double, 2>& point : curve)
+  {
+    opacity->AddPoint(point[0], point[1]);
+  }
+  volume->GetProperty()->SetScalarOpacity(opacity);
+}
+
+//------------------------------------------------------------------------------
+void SetVolumeStep(vtkVolume* volume, double share)
+{
+  auto* mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(volume->GetMapper());
+  auto* image = vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  // VTK's own choice is half the distance of the points, and finer in images of few points.
+  mapper->SetLockSampleDistanceToInputSpacing(share == SampleShare);
+  mapper->SetSampleDistance(
+    static_cast<float>(share * *std::min_element(image->GetSpacing(), image->GetSpacing() + 3)));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
+{
+  double range[2];
+  image->GetPointData()->GetScalars()->GetFiniteRange(range);
+  const bool labels = HasLabels(image);
+  const vtkSmartPointer<vtkPiecewiseFunction> opacity = MakeOpacity(image);
   auto volume = vtkSmartPointer<vtkVolume>::New();
-  vtkNew<vtkSmartVolumeMapper> mapper;
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
   mapper->SetInputData(image);
   // The default would adapt the sample distance to the time of earlier frames.
-  mapper->InteractiveAdjustSampleDistancesOff();
   mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(SampleShare *
-    static_cast<float>(*std::min_element(image->GetSpacing(), image->GetSpacing() + 3)));
   volume->SetMapper(mapper);
+  SetVolumeStep(volume, SampleShare);
   vtkVolumeProperty* property = volume->GetProperty();
   property->SetScalarOpacity(opacity);
   SetVolumeOpacity(volume, 1.0);

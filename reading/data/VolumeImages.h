@@ -67,6 +67,13 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image);
 
 /// From 0 to 1: its square scales the share of light that the volume stops at 1.
 void SetVolumeOpacity(vtkVolume* volume, double opacity);
+
+/// Opacities over a hundredth of the image's diagonal at increasing values; none: those of a new
+/// volume.
+void SetVolumeCurve(vtkVolume* volume, const std::vector<std::array<double, 2>>& curve);
+
+/// The step of rays, as a share of the distance of the image's points.
+void SetVolumeStep(vtkVolume* volume, double share);
 }
 
 #endif

@@ -409,6 +409,14 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     TakePart<&RenderOptions::Look, TakeColor>);
   rows.AddNumber("--opacity", "A", "opacity of all meshes and volumes, @bounds@ (1)", { 0.0, 1.0 },
     [](RenderOptions& options, double opacity) { options.Look.Opacity = opacity; });
+  rows.Add("--opacity-curve", "VALUE/A,...",
+    "opacities of volumes (--image volume) at values, 0 to 1 over a hundredth of the image's "
+    "diagonal, linear in between (0 below the threshold that separates the values best)",
+    TakePart<&RenderOptions::Look, TakeOpacityCurve>);
+  rows.AddNumber("--volume-step", "SHARE",
+    "step of rays through volumes, as a share of the distance of the image's points, @bounds@; "
+    "smaller steps are slower and show fewer rings (0.5, and finer in images of few points)",
+    { 0.05, 4.0 }, [](RenderOptions& options, double step) { options.Look.VolumeStep = step; });
   rows.AddNumber("--point-size", "PIXELS",
     "width of points, @bounds@ pixels; wider than 1, they are drawn as spheres (4 with a "
     "preset, else 1)",

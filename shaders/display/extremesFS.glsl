@@ -6,7 +6,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The least and the greatest finite value in squares of 16 x 16 pixels; 1 and 0 without any.
 //RELIEVO::Include(formulas/unproject.glsl)
+#ifndef RELIEVO_SHOW_VOLUME_DEPTH
 //RELIEVO::Include(gbuffer/read.glsl)
+#endif
 in vec2 texCoord;
 uniform vec2 relievoSize;    // of the viewport
 uniform vec2 relievoSquares; // number of squares

@@ -7,7 +7,7 @@
 // Shows a layer as the picture. RELIEVO_SHOW_COLORS: colours made by the CPU; otherwise the layer's
 // shader word in the catalogue: RELIEVO_SHOW_DEPTH ...
 //RELIEVO::Include(formulas/unproject.glsl)
-#ifndef RELIEVO_SHOW_COLORS
+#if !defined(RELIEVO_SHOW_COLORS) && !defined(RELIEVO_SHOW_VOLUME_DEPTH)
 //RELIEVO::Include(gbuffer/read.glsl)
 #endif
 in vec2 texCoord;
@@ -30,7 +30,8 @@ vec4 relievoVectorColor(vec3 normalVC)
 }
 #endif
 
-#if defined(RELIEVO_SHOW_DEPTH) || defined(RELIEVO_SHOW_RANGE)
+#if defined(RELIEVO_SHOW_DEPTH) || defined(RELIEVO_SHOW_RANGE) || \
+  defined(RELIEVO_SHOW_VOLUME_DEPTH)
 //RELIEVO::Include(display/value.glsl)
 uniform sampler2D relievoMap; // the colours as one row
 vec4 relievoScalarColor(float value)
@@ -58,7 +59,8 @@ void main()
 #if defined(RELIEVO_SHOW_COLORS)
   vec4 color = texelFetch(relievoColors, pixel, 0);
   gl_FragData[0] = color.a > 0.0 ? vec4(color.rgb, 1.0) : relievoBackground;
-#elif defined(RELIEVO_SHOW_DEPTH) || defined(RELIEVO_SHOW_RANGE)
+#elif defined(RELIEVO_SHOW_DEPTH) || defined(RELIEVO_SHOW_RANGE) || \
+  defined(RELIEVO_SHOW_VOLUME_DEPTH)
   gl_FragData[0] = relievoScalarColor(relievoShownValue(pixel));
 #elif defined(RELIEVO_SHOW_NORMAL)
   gl_FragData[0] = relievoVectorColor(relievoFetchNormal(pixel));

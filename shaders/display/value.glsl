@@ -1,9 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The value of a pixel of depth or range (RELIEVO_SHOW_DEPTH, RELIEVO_SHOW_RANGE); infinity in the
-// background. The including shader declares relievoSize and relievoProjection.
+// The value of a pixel of depth, range or volume_depth (RELIEVO_SHOW_DEPTH, RELIEVO_SHOW_RANGE,
+// RELIEVO_SHOW_VOLUME_DEPTH); infinity in the background. The including shader declares relievoSize
+// and relievoProjection.
+//RELIEVO::Include(frame/volume_depth.glsl)
+
 float relievoShownValue(ivec2 pixel)
 {
+#ifdef RELIEVO_SHOW_VOLUME_DEPTH
+  return relievoFetchVolumeDepth(pixel);
+#else
   float depth = relievoFetchDepth(pixel);
 #ifdef RELIEVO_SHOW_RANGE
   vec3 positionVC = relievoEyePosition(
@@ -11,5 +17,6 @@ float relievoShownValue(ivec2 pixel)
   return isinf(depth) ? depth : length(positionVC);
 #else
   return depth;
+#endif
 #endif
 }

@@ -12,6 +12,7 @@
 //RELIEVO::Include(gbuffer/read.glsl)
 #endif
 //RELIEVO::Include(frame/translucent_depth.glsl)
+//RELIEVO::Include(frame/volume_depth.glsl)
 //RELIEVO::Include(formulas/fog.glsl)
 flat in vec4 fogLinear;
 flat in vec4 fogLinearLacks;
@@ -35,6 +36,9 @@ void main()
 #endif
 #ifdef RELIEVO_TRANSLUCENT_DEPTH
   end = min(end, relievoFetchTranslucentDepth(ivec2(gl_FragCoord.xy)));
+#endif
+#ifdef RELIEVO_VOLUME_DEPTH
+  end = min(end, relievoFetchVolumeDepth(ivec2(gl_FragCoord.xy)));
 #endif
   end -= fogBegin;
   float chord = relievoFogChordAt(gl_FragCoord.xy - fogOrigin.zw, fogLinear, fogLinearLacks,

@@ -5,7 +5,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The sides of a pixel that are lines: x the right one, y the upper one. LINES_CREASES.
+// LINES_VOLUMES: lines of volumes, which count as one part, instead of those of surfaces.
+#ifdef LINES_VOLUMES
+//RELIEVO::Include(frame/volume_depth.glsl)
+uniform int relievoParallel;
+#else
 //RELIEVO::Include(gbuffer/read.glsl)
+#endif
 in vec2 texCoord;
 uniform vec2 relievoSize;
 uniform mat4 relievoProjection;
@@ -31,8 +37,13 @@ linesPixel linesFetch(ivec2 pixel)
   linesPixel found = linesPixel(uint(0), 0.0, vec3(0.0));
   if (all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(relievoSize))))
   {
+#ifdef LINES_VOLUMES
+    float depth = relievoFetchVolumeDepth(pixel);
+    found.part = isinf(depth) ? uint(0) : uint(1);
+#else
     found.part = relievoFetchPart(pixel);
     float depth = relievoFetchDepth(pixel);
+#endif
     found.depth = isinf(depth) ? 0.0 : relievoParallel != 0 ? depth : 1.0 / depth;
 #ifdef LINES_CREASES
     found.normal = relievoFetchGeometricNormal(pixel);

@@ -16,6 +16,7 @@
 uniform int relievoVolumeRule;
 uniform float relievoVolumeThreshold;
 uniform vec3 relievoVolumePoints; // number of the data's points along each axis
+uniform int relievoVolumeLinear; // values between points are interpolated
 
 vec4 scalar = vec4(0.0);
 bool relievoVolumeFound = false;
@@ -40,7 +41,7 @@ void relievoVolumeTake(float share, float value)
 #endif
   relievoVolumeFound = true;
   relievoVolumeSteps = steps - 1.0 + share;
-  relievoVolumeValue = mix(relievoVolumeLast, value, share);
+  relievoVolumeValue = relievoVolumeLinear != 0 ? mix(relievoVolumeLast, value, share) : value;
 }
 
 void relievoVolumeSample()

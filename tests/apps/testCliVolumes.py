@@ -120,6 +120,38 @@ class Volumes(CliTest):
         self.assertLess((grey.max(axis=-1) - grey.min(axis=-1))[seen].max(), 40)
         self.assertGreater((volume.max(axis=-1) - volume.min(axis=-1))[seen].max(), 80)
 
+    def test_volume_on_the_ground(self):
+        """In studio light a volume has a soft shadow on the ground, and no rings."""
+        self.image("ball.vti", (20 - distances()).astype(numpy.float32))
+        words = ["ball.vti", "--image", "volume", "--stage", "antialias:samples=1"]
+        pictures = {}
+        for name, more in (("usual", []), ("fine", ["--volume-step", "0.05"]),
+                           ("coarse", ["--volume-step", "2"]),
+                           ("bare", ["--shadows", "off"])):  # fmt: skip
+            pictures[name] = self.picture(*words, *more, says="antialias")
+        darker = (pictures["bare"] - pictures["usual"]).mean(axis=-1)
+        self.assertGreater((darker > 15).sum(), 150)
+        self.assertGreater(((darker > 3) & (darker < 0.6 * darker.max())).sum(), 100)
+        off = {name: abs(pictures[name] - pictures["fine"]).max() for name in ("usual", "coarse")}
+        self.assertLess(off["usual"], 4)
+        self.assertGreater(off["coarse"], 2 * off["usual"])
+
+    def test_opacity_curve(self):
+        """Values are visible where the curve says."""
+        self.image("ball.vti", (20 - distances()).astype(numpy.float32))
+        words = ["--image", "volume", *SMALL, *ALONG_Z, "--exr", "a.exr", "--layers",
+                 "volume_value", "--stage", "volumes:rule=first"]  # fmt: skip
+        least = {}
+        for curve in ("11.9/0,12/0.5,20/0.5", "3.9/0,4/0.5,20/0.5"):
+            self.relievo("render", "ball.vti", *words, "--opacity-curve", curve, environment=None)
+            values = self.exr("a.exr")[1]["volume_value.V"]
+            least[curve] = numpy.nanmin(values)
+            self.assertAlmostEqual(least[curve], float(curve.split("/")[0]), delta=0.6)
+        self.before = self.names()
+        for curve in ("3/0", "3/0,2/1", "3/0,4/2", "3,4"):
+            self.refused("render", "ball.vti", "--opacity-curve", curve, "--png", "b.png", status=2,
+                         says=["--opacity-curve", "VALUE/OPACITY"])  # fmt: skip
+
     def test_volume_layers(self):
         """A volume has layers of its own, at the first sample that absorbs light."""
         self.image("ball.vti", (20 - distances()).astype(numpy.float32))

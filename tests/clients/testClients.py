@@ -103,6 +103,30 @@ class PyVista(Clients):
         numpy.testing.assert_array_equal(drawn(plotter), plain)
         plotter.close()
 
+    def test_volume(self):
+        """add_volume() casts on the floor, and pick() answers it."""
+        side = 41
+        place = numpy.mgrid[0:side, 0:side, 0:side] / (side - 1) - 0.5
+        inside = numpy.sqrt((place**2).sum(axis=0)) < RADIUS - 0.03
+        grid = pyvista.ImageData(dimensions=(side,) * 3, spacing=(1 / (side - 1),) * 3,
+                                 origin=(-0.5,) * 3)  # fmt: skip
+        grid["inside"] = inside.astype(numpy.uint8).ravel() * 255
+        plotter = scene()
+        plotter.remove_actor(plotter.actors[next(iter(plotter.actors))])
+        plotter.add_volume(grid, opacity="linear", opacity_unit_distance=0.01, shade=True)
+        plotter.relievo.shadows()
+        place = plotter.relievo.layer("position")
+        floor = numpy.isfinite(plotter.relievo.layer("depth"))
+        sun = numpy.array(SUN) / numpy.linalg.norm(SUN)
+        away = numpy.linalg.norm(numpy.cross(place, sun), axis=-1)
+        seen = plotter.relievo.layer("shadow_0")
+        self.assertLess(seen[floor & (away < 0.8 * RADIUS)].max(), 0.1)
+        self.assertGreater(seen[floor & (away > 1.2 * RADIUS)].min(), 0.99)
+        found = plotter.relievo.pick(200, 150)
+        self.assertEqual(found.kind, "volume")
+        self.assertLess(numpy.linalg.norm(found.position), RADIUS + 0.03)
+        plotter.close()
+
     def test_passes_in_any_order(self):
         for switch in ("enable_ssao", "enable_eye_dome_lighting"):
             before, after = scene(), scene()

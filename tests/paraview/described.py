@@ -86,7 +86,9 @@ def of_view():
     for i in range(frame.GetNumberOfStages()):
         stage = frame.GetStage(i)
         on = stage.GetEnabled()
-        if stage.GetStageName() != "shadows" and (not on or stage.IsA("vtkRelievoPointStage")):
+        shown = (
+            not on or stage.IsA("vtkRelievoPointStage") or stage.GetStageName() == "volumes")
+        if stage.GetStageName() != "shadows" and shown:
             name = "RelievoStage" + capitalize(stage.GetStageName())
             found[name] = (int(on), 1 - int(on))
             found.update(properties(stage, name))

@@ -59,6 +59,9 @@ WRITES = {
     "27_sunlight_of_a_year.py": ["sunlight.png", "sunlight.vtp"],
     "28_training_pictures.py": ["train", "train.png"],
     "29_technical_drawing.py": ["drawing.png"],
+    "30_skull.py": ["skull.png", "skull_depth.png"],
+    "31_smoke.py": ["smoke.png"],
+    "32_labels.py": ["labels.png", "labels_depth.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
@@ -80,6 +83,9 @@ SMALLER = {
     "16_caves.py": {"SIZE": (320, 180), "BLOCKS": (96, 96, 48)},
     "27_sunlight_of_a_year.py": {"GROUND": 40, "DAYS": 183, "MINUTES": 240},
     "28_training_pictures.py": {"VIEWS": 2},
+    "30_skull.py": {"SIZE": (160, 120)},
+    "31_smoke.py": {"SIZE": (240, 136), "POINTS": 32},
+    "32_labels.py": {"SIZE": (160, 120), "POINTS": 24},
 }
 
 

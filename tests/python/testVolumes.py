@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Layers of volumes against closed forms and a march through the same samples in double."""
 
+import json
 import math
+import pathlib
 import resource
 import tempfile
 import unittest
@@ -638,6 +640,23 @@ class Volumes(unittest.TestCase):
         off = numpy.abs(found["volume_depth"][hit] - truth["volume_depth"][hit])
         self.assertLess(numpy.quantile(off, 0.95), 1.0)
 
+    def test_labels(self):
+        """Without interpolation, each place has the value of a point."""
+        z, y, x = grid()
+        values = numpy.where(x**2 + y**2 + z**2 < 49, 2.0 + (x > 0), 0.0)
+        for refined in (True, False):
+            kind = "f4" if refined else "u1"
+            scene = Scene(image_of(values, kind=kind), [(0, 0), (1, 0), (1.5, 0.8), (3, 0.8)])
+            scene.volume.GetProperty().SetInterpolationTypeToNearest()
+            if not refined:
+                scene.volume.GetProperty().SetGradientOpacity(vtkPiecewiseFunction())
+                scene.volume.GetProperty().GetGradientOpacity().AddPoint(0, 1)
+            scene.look_at((30, 25, 40), up=(0.2, 1, 0))
+            found = scene.capture()
+            hit = numpy.isfinite(found["volume_depth"])
+            self.assertGreater(hit.sum(), 300)
+            self.assertEqual(set(found["volume_value"][hit]), {2.0, 3.0})
+
     def test_several(self):
         """The nearest of two volumes; opacities multiply what passes."""
         scene = Scene(filled(), [(0, 0), (1, 0.1)], step=0.3)
@@ -663,6 +682,224 @@ class Volumes(unittest.TestCase):
         self.assertEqual(scene.mapper.GetImageSampleDistance(), 2)
         after = relievo.layer(relievo.capture(scene.renderer, ["color"]), "color")
         numpy.testing.assert_array_equal(before, after)
+
+
+WHITE = (1.0, 1.0, 1.0)
+
+
+class Stages(unittest.TestCase):
+    """Volumes with the frame's other stages: a row of docs/layers.md each."""
+
+    def box(self, share=0.9999):
+        """A box of constant values that absorbs quickly, white, seen along z."""
+        scene = Scene(filled(), [(0, 0), (1, share)], step=0.1)
+        color = vtkColorTransferFunction()
+        color.AddRGBPoint(0, *WHITE)
+        scene.volume.GetProperty().SetColor(color)
+        scene.renderer.SetBackground(0, 0, 0)
+        return scene
+
+    def color(self, scene):
+        """The linear colour, row 0 at the bottom."""
+        image = relievo.capture(scene.renderer, ["color"], size=SIZE, hdr=True)
+        return relievo.layer(image, "color")[::-1]
+
+    def reason(self, scene, name):
+        return relievo.attach(scene.renderer).GetStage(name).GetReason()
+
+    def picture(self, renderer):
+        return relievo.screenshot(renderer, size=SIZE).astype(int)[::-1]
+
+    def test_solid(self):
+        """depth, range and position are those of the nearer of surface and volume."""
+        scene = self.box(0.3)
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-20, -20, MIDDLE)
+        plane.SetPoint1(60, -20, MIDDLE)
+        plane.SetPoint2(-20, 60, MIDDLE)
+        add(scene.renderer, plane)
+        names = ["depth", "range", "position"]
+        apart = scene.capture([*names, "volume_depth", "volume_position"])
+        relievo.stage(scene.renderer, "volumes", solid=True)
+        image = relievo.capture(scene.renderer, names, size=SIZE)
+        both = {name: relievo.layer(image, name)[::-1] for name in names}
+        hit = numpy.isfinite(apart["volume_depth"])
+        self.assertTrue(0.1 < hit.mean() < 0.9)
+        # Half of the light, in a homogeneous medium; the plane elsewhere.
+        depth = 60 - (SIDE - 1) + math.log(0.5) / math.log(0.7)
+        self.assertLess(numpy.abs(both["depth"][INNER] - depth).max(), 1e-4)
+        self.assertLess(numpy.abs(both["depth"][~hit] - (60 - MIDDLE)).max(), 1e-4)
+        numpy.testing.assert_array_equal(both["position"][hit], apart["volume_position"][hit])
+        eye = scene.renderer.GetActiveCamera().GetPosition()
+        away = numpy.linalg.norm(both["position"] - eye, axis=-1)
+        self.assertLess(numpy.abs(both["range"] - away).max(), 1e-4)
+        with tempfile.TemporaryDirectory() as folder:
+            relievo.write_exr(folder + "/a.exr", image)
+            said = relievo.attributes(relievo.read_exr(folder + "/a.exr"))
+        self.assertEqual((said["volumeRule"][0], said["depthOf"][0]),
+                         ("opacity=0.5", "surfaces and volumes"))  # fmt: skip
+        relievo.stage(scene.renderer, "volumes", solid=False)
+        numpy.testing.assert_array_equal(scene.capture(["depth"])["depth"], apart["depth"])
+
+    def test_dataset(self):
+        """Solid volumes are objects of data sets; others hide nothing."""
+        scene = Scene(image_of(ball()), STEEP)
+        scene.look_at((30, 25, 40), up=(0.2, 1, 0), parallel=False)
+        shelf = vtkPlaneSource()  # cuts the ball
+        shelf.SetOrigin(-2, MIDDLE, -2)
+        shelf.SetPoint1(18, MIDDLE, -2)
+        shelf.SetPoint2(-2, MIDDLE, 18)
+        add(scene.renderer, shelf)
+        camera = scene.renderer.GetActiveCamera()
+        views = {}
+        with tempfile.TemporaryDirectory() as folder:
+            for solid in (False, True):
+                relievo.stage(scene.renderer, "volumes", solid=solid)
+                to = f"{folder}/{solid}"
+                relievo.write_dataset(
+                    scene.renderer, [camera], to, "npz", ["volume_depth"], size=SIZE)
+                (file,) = pathlib.Path(to).glob("*.npz")
+                views[solid] = dict(numpy.load(file))
+            relievo.write_dataset(scene.renderer, [camera], folder + "/coco", "coco", size=SIZE)
+            file = pathlib.Path(folder, "coco", "instances.json")
+            coco = json.loads(file.read_text())
+        self.assertEqual(set(numpy.unique(views[False]["object"])), {0, 1})
+        view = views[True]
+        hit = numpy.isfinite(view["volume_depth"])
+        numpy.testing.assert_array_equal(view["object"] == 2, hit)
+        numpy.testing.assert_array_equal(view["visible_masks"][1], hit)
+        depth = numpy.where(hit, view["volume_depth"], views[False]["depth"])
+        numpy.testing.assert_array_equal(view["depth"], depth)
+        # The whole ball, without the shelf.
+        whole = view["amodal_masks"][1]
+        self.assertTrue((whole | ~hit).all())
+        self.assertGreater(whole.sum(), 1.15 * hit.sum())
+        numpy.testing.assert_array_equal(view["amodal_masks"][0], views[False]["visible_masks"][0])
+        self.assertEqual([each["name"] for each in coco["categories"]], ["actor_0", "volume_0"])
+        areas = {each["category_id"]: each["area"] for each in coco["annotations"]}
+        self.assertEqual(areas[2], hit.sum())
+        with self.assertRaisesRegex(ValueError, "pinhole"):
+            relievo.write_dataset(
+                scene.renderer, [relievo.Equirectangular((64, 32))], folder, "npz")
+
+    def test_pick(self):
+        scene = self.box(0.3)
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-1, -1, -3)
+        plane.SetPoint1(30, -1, -3)
+        plane.SetPoint2(-1, 2, -3)
+        actor = add(scene.renderer, plane)
+        found = relievo.pick(scene.renderer, SIZE[0] // 2, SIZE[1] // 2, size=SIZE)
+        self.assertEqual((found.kind, found.index, found.cell), ("volume", 0, -1))
+        self.assertIs(found.prop, scene.volume)
+        depth = 60 - (SIDE - 1) + math.log(0.5) / math.log(0.7)
+        self.assertAlmostEqual(found.depth, depth, delta=1e-4)
+        self.assertAlmostEqual(found.position[2], 60 - depth, delta=1e-4)
+        self.assertEqual(found.value, 1)
+        self.assertGreater(found.opacity, 0.99)
+        found = relievo.pick(scene.renderer, SIZE[0] - 4, SIZE[1] - 7, size=SIZE)
+        self.assertEqual((found.kind, found.cell), ("surface", 0))
+        self.assertIs(found.prop, actor)
+        self.assertAlmostEqual(found.depth, 63, delta=1e-4)
+        self.assertTrue(math.isnan(found.value))
+        found = relievo.pick(scene.renderer, 1, 1, size=SIZE)
+        self.assertFalse(found)
+        self.assertIsNone(found.prop)
+        with self.assertRaisesRegex(ValueError, "x, y: got 64, 0"):
+            relievo.pick(scene.renderer, 64, 0, size=SIZE)
+
+    def test_fog(self):
+        """Fog in front of a volume covers it, fog behind does not."""
+        scene = self.box()
+        plain = self.color(scene)[INNER]
+        self.assertGreater(plain.min(), 0.99)
+        radius, density = 3, 0.2
+        relievo.fog(scene.renderer, [(MIDDLE, MIDDLE, 30), (MIDDLE, MIDDLE, -20)],
+                    radius=radius, density=density, color=(1, 0, 0))  # fmt: skip
+        found = self.color(scene)[SIZE[1] // 2, SIZE[0] // 2]
+        passes = math.exp(-density * 2 * radius)
+        numpy.testing.assert_allclose(found[:3], (1, passes, passes), atol=4e-3)
+        self.assertIn("volumes", [stage["name"] for stage in
+                                  relievo.report(relievo.attach(scene.renderer))["stages"]
+                                  if stage["ran"]])  # fmt: skip
+        # Without the depth of volumes, they are fogged like the background.
+        relievo.stage(scene.renderer, "volumes", False)
+        found = self.color(scene)[SIZE[1] // 2, SIZE[0] // 2]
+        self.assertLess(found[1], passes**2 + 0.02)
+
+    def test_lines(self):
+        """Lines at the silhouette of a box, and where it hides itself; none unless asked for."""
+        scene = self.box()
+        relievo.stage(scene.renderer, "lines")
+        without = self.picture(scene.renderer)
+        self.assertIn("without lines: 1 volume", self.reason(scene, "lines"))
+        relievo.stage(scene.renderer, "lines", volumes=True, color=(1, 0, 0), width=2)
+        lines = self.picture(scene.renderer)
+        red = (lines[..., 0] - lines[..., 1] > 100) & (without[..., 1] >= 0)
+        y, x = numpy.nonzero(red)
+        self.assertGreater(len(x), 150)
+        scale = SIZE[1] / 20  # pixels per point of the image
+        low, high = SIZE[0] / 2 - MIDDLE * scale, SIZE[0] / 2 + MIDDLE * scale
+        away = [numpy.minimum(abs(a + 0.5 - low), abs(a + 0.5 - high)) for a in (x, y)]
+        self.assertLess(numpy.minimum(*away).max(), 2.1)
+
+    def test_left_out(self):
+        """Stages that leave volumes out say so."""
+        scene = self.box()
+        relievo.lamps(scene.renderer, [(MIDDLE, MIDDLE, 20)], radius=30)
+        relievo.stage(scene.renderer, "ambient", samples=4)
+        relievo.stage(scene.renderer, "deferred")
+        add(scene.renderer, vtkPlaneSource())
+        self.picture(scene.renderer)
+        self.assertIn("not lit: 1 volume", self.reason(scene, "lamps"))
+        self.assertIn("neither hiding nor darkened: 1 volume", self.reason(scene, "ambient"))
+        self.assertIn("lit by VTK: 1 volume", self.reason(scene, "deferred"))
+
+    def test_blend_and_tone(self):
+        """A volume is in the layer blend; the tone curve applies to it."""
+        scene = self.box(0.05)
+        blend = scene.capture(["blend", "volume_opacity"])
+        numpy.testing.assert_allclose(
+            blend["blend"][INNER][..., 3], blend["volume_opacity"][INNER], atol=2e-3)
+        relievo.stage(scene.renderer, "tone", operator="clamp", exposure=-1)
+        linear = 0.5 * self.color(scene)[INNER][..., 0]
+        shown = self.picture(scene.renderer)[INNER][..., 0]
+        curve = numpy.where(
+            linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+        self.assertLess(numpy.abs(shown - 255 * curve).max(), 1.6)
+
+    def test_peeling(self):
+        """Peeling with volumes changes no layer."""
+        scene = Scene(image_of(ball()), STEEP)
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-20, -20, MIDDLE)
+        plane.SetPoint1(60, -20, MIDDLE)
+        plane.SetPoint2(-20, 60, MIDDLE)
+        add(scene.renderer, plane).GetProperty().SetOpacity(0.5)
+        before = scene.capture()
+        scene.renderer.SetUseDepthPeeling(True)
+        scene.renderer.SetUseDepthPeelingForVolumes(True)
+        after = scene.capture()
+        for name in LAYERS:
+            numpy.testing.assert_array_equal(after[name], before[name], name)
+
+    def test_shown(self):
+        """volume_depth as the picture has the values of the capture."""
+        scene = Scene(image_of(ball()), STEEP)
+        depth = scene.capture(["volume_depth"])["volume_depth"]
+        frame = relievo.attach(scene.renderer)
+        near, far = 45, 55
+        relievo.stage(scene.renderer, "display", layer="volume_depth", grey=True,
+                      range=(near, far))  # fmt: skip
+        shown = self.picture(scene.renderer)
+        hit = numpy.isfinite(depth)
+        grey = 255 * numpy.clip((depth[hit] - near) / (far - near), 0, 1)
+        self.assertLess(numpy.abs(shown[hit][:, 0] - grey).max(), 1.1)
+        self.assertTrue((shown[~hit] == 255).all())
+        relievo.stage(scene.renderer, "display", grey=False, range=(0, 0))
+        self.assertGreater(len(numpy.unique(self.picture(scene.renderer)[hit], axis=0)), 20)
+        frame.SetDisplayLayer(None)
+        self.assertLess(self.picture(scene.renderer)[~hit].max(), 255)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 #include "ViewerTest.h"
 
 #include "FileEdit.h"
+#include "OpacityCurve.h"
 
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
@@ -64,6 +65,36 @@ private:
   }
 
   std::string Get(const char* option) { return this->Window->GetDocument()->Get().Get(option); }
+
+  // The curve's last point, dragged down; the picture follows, and returns.
+  void DragCurve()
+  {
+    auto* curve = this->Find<viewer::OpacityCurve>("volumeLook", "opacityCurve");
+    QVERIFY(!curve->isHidden());
+    const viewer::OpacityCurve::Points before = curve->GetPoints();
+    QCOMPARE(before.size(), std::size_t(4)); // within the values 0 to 2
+    const auto shown = this->Grab();
+    const auto send = [curve](QEvent::Type type, double value, double opacity) {
+      QMouseEvent event(
+        type, curve->GetPlace({ value, opacity }), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(curve, &event);
+    };
+    send(QEvent::MouseButtonPress, before.back()[0], before.back()[1]);
+    send(QEvent::MouseMove, before.back()[0], 0.0);
+    QCOMPARE(this->Get("--opacity-curve"), std::string());
+    send(QEvent::MouseButtonRelease, before.back()[0], 0.0);
+    QCOMPARE(this->Get("--opacity-curve"), std::string("0/0,0.25/0,0.5/0.7,2/0"));
+    QVERIFY(CountDifferent(this->Grab(), shown) > 150);
+    QVERIFY(MostDifferent(this->Grab(), this->RenderCommand()) <= 1);
+    send(QEvent::MouseButtonDblClick, 1.5, 0.25);
+    QCOMPARE(curve->GetPoints().size(), std::size_t(5));
+    auto* found = this->Find<QCheckBox>("volumeLook", "found");
+    QVERIFY(!found->isChecked());
+    found->setChecked(true);
+    QCOMPARE(this->Get("--opacity-curve"), std::string());
+    QVERIFY(MostDifferent(this->Grab(), shown) <= 1);
+    QTRY_VERIFY(curve->GetPoints() == before); // follows the picture
+  }
 
 private Q_SLOTS:
   void material()
@@ -346,6 +377,7 @@ private Q_SLOTS:
         const int different = CountDifferent(this->Grab(), command);
         QVERIFY2(different >= 0 && different < 10, qPrintable(QString::number(different)));
         QVERIFY(MostDifferent(this->Grab(), command) <= 1);
+        this->DragCurve();
       }
       else
       {

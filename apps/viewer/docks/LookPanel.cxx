@@ -35,11 +35,12 @@ QColor FromColor(const scene::Color& color)
 
 //------------------------------------------------------------------------------
 LookPanel::LookPanel(Document* document, ColorsGroup::RangeReader range,
-  ColorsGroup::RangeReader seen, QWidget* parent)
+  ColorsGroup::RangeReader seen, VolumeGroup::Reader volume, QWidget* parent)
   : Panel(document, parent)
 {
   this->AddSurface();
   this->AddGroup(new ColorsGroup(document, std::move(range), std::move(seen), this->widget()));
+  this->AddGroup(new VolumeGroup(document, std::move(volume), this->widget()));
   this->AddGroup(new MaterialGroup(document, this->widget()));
   this->AddBackground();
   this->AddStages();

@@ -8,6 +8,7 @@
 
 #include "ColorsGroup.h"
 #include "Panel.h"
+#include "VolumeGroup.h"
 
 class QCheckBox;
 class QComboBox;
@@ -27,7 +28,7 @@ class LookPanel : public Panel
 
 public:
   LookPanel(Document* document, ColorsGroup::RangeReader range, ColorsGroup::RangeReader seen,
-    QWidget* parent = nullptr);
+    VolumeGroup::Reader volume, QWidget* parent = nullptr);
 
 private:
   void AddSurface();

@@ -46,6 +46,8 @@ constexpr Row Rows[] = {
   { "--lamps", "Lamps", "Light" },
   { "--shading", "Shading", "Look" },
   { "--opacity", "Opacity", "Look" },
+  { "--opacity-curve", "Opacity curve", "Look" },
+  { "--volume-step", "Step", "Look" },
   { "--point-size", "Point size", "Look" },
   { "--edges", "Show edges", "Look" },
   { "--color-by", "Colour by", "Look" },

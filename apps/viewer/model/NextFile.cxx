@@ -27,8 +27,8 @@ struct Dropped
 constexpr Dropped OfFiles[] = { { "--allow-folder", "" }, { "--color-by", "" }, { "--range", "" },
   { "--scalar-bar", "" }, { "--bar", "" }, { "--clip", "the clipping distances" },
   { "--up", "the up axis" }, { "--image", "how the image is shown" },
-  { "--normal-map", "the normal map" }, { "--height-map", "the height map" }, { "--relief", "" },
-  { "--texture-coordinates", "" } };
+  { "--opacity-curve", "the opacity curve" }, { "--normal-map", "the normal map" },
+  { "--height-map", "the height map" }, { "--relief", "" }, { "--texture-coordinates", "" } };
 
 // Suns suit any scene.
 int DropPlacedLights(scene::Settings& settings)

@@ -229,7 +229,7 @@ void MainWindow::AddPanels()
       return FindSeenRange(
         this->Shown->GetPicture(), this->Edited->Get().Parse().Look, this->Edited->GetFacts());
     },
-    this);
+    [this] { return GetVolumeFacts(this->Shown->GetPicture()); }, this);
   auto* scene = new ScenePanel(this->Edited, this);
   QDockWidget* first = AddDock(this, "Scene", "scene", scene);
   this->tabifyDockWidget(first, AddDock(this, "Light", "light", this->Light));

@@ -20,6 +20,7 @@
 #include "vtkRelievoScreenTarget.h"
 #include "vtkRelievoShadowCatcher.h"
 #include "vtkRelievoSkySamples.h"
+#include "vtkRelievoTellVolumes.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -291,7 +292,8 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
             << (in.Scene.GetNumberOfPropsLeftOut() == 1 ? " prop" : " props")
             << " that rays cannot intersect hide nothing";
     }
-    this->Explain("ran", words.str());
+    this->Explain(
+      "ran", words.str() + vtkRelievoTellVolumes(context, "neither hiding nor darkened"));
     const vtkIdType triangles = in.Scene.GetTooManyTriangles();
     if (triangles > 0 && !in.ToldOfTriangles)
     {

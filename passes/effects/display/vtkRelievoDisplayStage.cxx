@@ -219,7 +219,7 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     return;
   }
   std::vector<vtkRelievoResourceName> reads;
-  const bool values = shader == "DEPTH" || shader == "RANGE";
+  const bool values = shader == "DEPTH" || shader == "RANGE" || shader == "VOLUME_DEPTH";
   if (!colors)
   {
     reads.push_back(vtkRelievoResourceName::Of(this->Layer));

@@ -182,8 +182,10 @@ std::string vtkRelievoShownValues::Find(
     range[1] = view.Far;
     return std::string();
   }
+  // Volumes are not among the opaque props whose bounds tell how far a ground counts.
   bool ground = false;
-  const vtkBoundingBox box = FindBounds(context, ground);
+  const vtkBoundingBox box =
+    layer == "volume_depth" ? vtkBoundingBox() : FindBounds(context, ground);
   double extent[2] = { view.Near, view.Far };
   if (box.IsValid())
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The least and the greatest visible value of depth or range in a frame, for the first and the last
-// colour. A ground that extends far beyond all other objects counts only within their range. A
+// The least and the greatest visible value of a layer of depths in a frame, for the first and the
+// last colour. A ground that extends far beyond all other objects counts only within their range. A
 // picture in tiles, or one for which only bounds are known, takes the values of the whole scene.
 #ifndef vtkRelievoShownValues_h
 #define vtkRelievoShownValues_h

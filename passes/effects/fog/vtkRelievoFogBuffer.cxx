@@ -87,9 +87,10 @@ void vtkRelievoFogBuffer::Add(
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
-  const vtkRelievoSphereRays& rays, const Options& options, vtkRelievoResource* translucent)
+  const vtkRelievoSphereRays& rays, const Options& options,
+  const std::vector<vtkRelievoResource*>& nearer)
 {
-  vtkRelievoInstancedQuads& quads = this->Quads[translucent ? 1 : 0];
+  vtkRelievoInstancedQuads& quads = this->Quads[nearer.empty() ? 0 : 1];
   vtkShaderProgram* program = nullptr;
   vtkRelievoScreenTarget::Format format;
   format.Halves = false;
@@ -108,9 +109,13 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
   }
   if (wrong.empty() && any)
   {
+    std::string defines = depth->GetDefines();
+    for (vtkRelievoResource* each : nearer)
+    {
+      defines += each->GetDefines();
+    }
     program = quads.Ready(context, "fog/sphereVS.glsl", "fog/sphereFS.glsl",
-      depth->GetDefines() + (this->BeforeDrawn ? "#define RELIEVO_FOG_DRAWN_DEPTH\n" : "") +
-        (translucent ? translucent->GetDefines() : "") +
+      defines + (this->BeforeDrawn ? "#define RELIEVO_FOG_DRAWN_DEPTH\n" : "") +
         (options.Chord ? "#define RELIEVO_FOG_CHORD\n" : "") +
         (options.Dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""));
     wrong = quads.GetWrong();
@@ -148,17 +153,17 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
       static_cast<float>(context.View.Far), context.View.Parallel ? 1.0f : 0.0f };
     program->SetUniform3f("relievoDrawnRange", range);
     depth->Activate(program);
-    if (translucent)
+    for (vtkRelievoResource* each : nearer)
     {
-      translucent->Activate(program);
+      each->Activate(program);
     }
     this->Spheres.Activate(program, "fogSpheres");
     quads.Draw(this->GetNumberOfSpheres());
     this->Spheres.Deactivate();
     depth->Deactivate();
-    if (translucent)
+    for (vtkRelievoResource* each : nearer)
     {
-      translucent->Deactivate();
+      each->Deactivate();
     }
   }
   this->Target.End();

@@ -42,10 +42,11 @@ public:
     bool Everywhere = false;
   };
 
-  // Draws the fog in front of opaque surfaces, and, if `translucent` depth is given, the fog in
-  // front of translucent ones. Returns an error message, or an empty string.
+  // Draws the fog in front of opaque surfaces, or, if depths of translucent surfaces and volumes
+  // are given, the fog in front of the nearest of all. Returns an error message, or an empty
+  // string.
   std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays,
-    const Options& options, vtkRelievoResource* translucent = nullptr);
+    const Options& options, const std::vector<vtkRelievoResource*>& nearer = {});
 
   // Whether fog ends at the drawn depth instead of the layer `depth`.
   bool BeforeDrawn = false;

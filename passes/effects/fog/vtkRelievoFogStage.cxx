@@ -17,7 +17,9 @@
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoSphereRays.h"
 #include "vtkRelievoTranslucentDepth.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +37,8 @@ public:
 
 namespace
 {
+const vtkRelievoResourceName FogVolumeDepth = vtkRelievoResourceName::Of("volume_depth");
+
 bool Sees(const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog)
 {
   const int count = fog->GetNumberOfPoints();
@@ -121,6 +125,10 @@ void vtkRelievoFogStage::Declare(
     declaration.Writes.clear();
     declaration.ReasonCode = "idle";
     declaration.Reason = "no fog is in view";
+  }
+  else if (context.Renderer->GetVolumes()->GetNumberOfItems() > 0)
+  {
+    declaration.OptionalReads = { FogVolumeDepth };
   }
 }
 
@@ -239,7 +247,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// Fog in front of translucent surfaces covers them as much as the surfaces behind.
+// Fog in front of translucent surfaces and volumes covers them as much as the surfaces behind.
 std::string vtkRelievoFogStage::DrawBeforeTranslucent(
   vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays)
 {
@@ -256,7 +264,12 @@ std::string vtkRelievoFogStage::DrawBeforeTranslucent(
   {
     return {};
   }
-  const std::string wrong = in.Buffer.Draw(context, rays, GetOptions(this), depth);
+  std::vector<vtkRelievoResource*> nearer = { depth };
+  if (vtkRelievoResource* volumes = context.Find(FogVolumeDepth))
+  {
+    nearer.push_back(volumes);
+  }
+  const std::string wrong = in.Buffer.Draw(context, rays, GetOptions(this), nearer);
   if (!wrong.empty())
   {
     return wrong;

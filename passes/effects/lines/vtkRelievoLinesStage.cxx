@@ -14,7 +14,10 @@
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
+#include "vtkRelievoTellVolumes.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkVolumeCollection.h"
 
 #include <cmath>
 
@@ -22,6 +25,8 @@ vtkStandardNewMacro(vtkRelievoLinesStage);
 
 namespace
 {
+const vtkRelievoResourceName LinesVolumeDepth = vtkRelievoResourceName::Of("volume_depth");
+
 const vtkRelievoResourceName SidesName = vtkRelievoResourceName::Of("lines sides");
 }
 
@@ -29,7 +34,7 @@ class vtkRelievoLinesStage::Internals
 {
 public:
   vtkRelievoScreenTarget Sides{ "linesSides" };
-  vtkRelievoScreenQuad Find;
+  vtkRelievoScreenQuad Find[2]; // lines of surfaces, of volumes
   vtkRelievoScreenQuad Draw;
   vtkRelievoHiddenLines Hidden;
   vtkRelievoReportOnce Reported;
@@ -75,6 +80,9 @@ void vtkRelievoLinesStage::Describe(vtkRelievoStageDescription& description)
   description.AddFlag(
     "folds", this->Folds, [this](bool on) { this->SetFolds(on); },
     "Lines where a part overlaps itself.");
+  description.AddFlag(
+    "volumes", this->Volumes, [this](bool on) { this->SetVolumes(on); },
+    "Outlines and folds of volumes, at their depth by the rule of the stage volumes.");
   description.AddChoice(
     "hidden", this->Hidden, [this](int hidden) { this->SetHidden(hidden); }, { "off", "dashed" },
     "Whether lines behind opaque surfaces are drawn, dashed.");
@@ -86,14 +94,25 @@ void vtkRelievoLinesStage::Describe(vtkRelievoStageDescription& description)
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoLinesStage::HasVolumes(const vtkRelievoFrameContext& context) const
+{
+  return this->Volumes && (this->Outlines || this->Folds) &&
+    context.Renderer->GetVolumes()->GetNumberOfItems() > 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoLinesStage::Declare(
-  const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
+  const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
   declaration.Reads = { vtkRelievoResources::Depth, vtkRelievoResources::Actor,
     vtkRelievoResources::Color };
   if (this->Creases)
   {
     declaration.Reads.push_back(vtkRelievoResources::GeometricNormal);
+  }
+  if (this->HasVolumes(context))
+  {
+    declaration.Reads.push_back(LinesVolumeDepth);
   }
   if (this->Width == 0.0 || !(this->Outlines || this->Creases || this->Folds))
   {
@@ -110,39 +129,61 @@ std::string vtkRelievoLinesStage::Draw(vtkRelievoFrameContext& context)
   vtkRelievoScreenTarget::Format format;
   format.Channels = this->Hidden == DASHED ? 4 : 2;
   std::string wrong = in.Sides.Prepare(context, format);
-  if (!wrong.empty())
+  wrong = wrong.empty() ? this->FindSides(context, false) : wrong;
+  wrong = wrong.empty() ? this->DrawHidden(context) : wrong;
+  wrong = wrong.empty() ? this->DrawSides(context, false) : wrong;
+  if (wrong.empty() && this->HasVolumes(context))
   {
-    return wrong;
+    wrong = this->FindSides(context, true);
+    wrong = wrong.empty() ? this->DrawSides(context, true) : wrong;
   }
-  std::vector<vtkRelievoResourceName> reads = { vtkRelievoResources::Depth,
-    vtkRelievoResources::Actor };
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLinesStage::FindSides(vtkRelievoFrameContext& context, bool ofVolumes)
+{
+  Internals& in = *this->Internal;
+  std::vector<vtkRelievoResourceName> reads;
   std::string defines;
-  if (this->Creases)
+  if (ofVolumes)
   {
-    reads.push_back(vtkRelievoResources::GeometricNormal);
-    defines += "#define LINES_CREASES\n";
+    reads = { LinesVolumeDepth };
+    defines = "#define LINES_VOLUMES\n";
   }
-  vtkShaderProgram* program = in.Find.Ready(context, "lines/sidesFS.glsl", reads, defines);
+  else
+  {
+    reads = { vtkRelievoResources::Depth, vtkRelievoResources::Actor };
+    if (this->Creases)
+    {
+      reads.push_back(vtkRelievoResources::GeometricNormal);
+      defines = "#define LINES_CREASES\n";
+    }
+  }
+  vtkRelievoScreenQuad& quad = in.Find[ofVolumes ? 1 : 0];
+  vtkShaderProgram* program = quad.Ready(context, "lines/sidesFS.glsl", reads, defines);
   if (!program)
   {
-    return in.Find.GetWrong();
+    return quad.GetWrong();
   }
   program->SetUniformi("linesOutlines", this->Outlines);
   program->SetUniformi("linesFolds", this->Folds);
   program->SetUniformf("linesCreaseCosine",
     static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(this->CreaseAngle))));
   in.Sides.Begin(context);
-  in.Find.Draw(context, in.Sides.GetArea());
+  quad.Draw(context, in.Sides.GetArea());
   in.Sides.End();
-  this->DrawCalls = 1;
-  wrong = this->DrawHidden(context);
-  if (!wrong.empty())
-  {
-    return wrong;
-  }
+  ++this->DrawCalls;
+  return {};
+}
 
+//------------------------------------------------------------------------------
+// Lines of volumes belong to the translucent layer, if that is kept apart: it covers the colour.
+std::string vtkRelievoLinesStage::DrawSides(vtkRelievoFrameContext& context, bool ofVolumes)
+{
+  Internals& in = *this->Internal;
   context.Provide(SidesName, &in.Sides);
-  program = in.Draw.Ready(context, "lines/linesFS.glsl", { SidesName },
+  vtkShaderProgram* program = in.Draw.Ready(context, "lines/linesFS.glsl", { SidesName },
     this->Hidden == DASHED ? "#define LINES_HIDDEN\n" : "");
   if (!program)
   {
@@ -152,10 +193,25 @@ std::string vtkRelievoLinesStage::Draw(vtkRelievoFrameContext& context)
     static_cast<float>(this->Color[2]) };
   program->SetUniform3f("linesColor", color);
   program->SetUniformf("linesHalfWidth", static_cast<float>(0.5 * this->Width));
+  auto* layer = ofVolumes
+    ? dynamic_cast<vtkRelievoScreenTarget*>(context.Find(vtkRelievoResources::Translucent))
+    : nullptr;
   vtkOpenGLState* state = context.Window->GetState();
   const vtkRelievoScopedState kept(state);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  const auto blend = [state]() {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  };
+  if (layer)
+  {
+    layer->GoOn(context);
+    blend();
+    in.Draw.Draw(context, layer->GetArea());
+    layer->End();
+    ++this->DrawCalls;
+    return {};
+  }
+  blend();
   this->DrawCalls += context.DrawColor(in.Draw, false) ? 1 : 0;
   return {};
 }
@@ -196,6 +252,10 @@ void vtkRelievoLinesStage::Execute(vtkRelievoFrameContext& context)
 {
   this->DrawCalls = 0;
   const std::string wrong = this->Draw(context);
+  if (!this->HasVolumes(context))
+  {
+    this->Explain("ran", this->GetReason() + vtkRelievoTellVolumes(context, "without lines"));
+  }
   if (!wrong.empty())
   {
     this->Explain("failed", wrong);
@@ -216,7 +276,10 @@ vtkIdType vtkRelievoLinesStage::GetBytesHeld()
 void vtkRelievoLinesStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Sides.Release(window);
-  this->Internal->Find.Release(window);
+  for (vtkRelievoScreenQuad& quad : this->Internal->Find)
+  {
+    quad.Release(window);
+  }
   this->Internal->Draw.Release(window);
   this->Internal->Hidden.Release(window);
   this->DrawCalls = 0;

@@ -62,6 +62,16 @@ public:
   vtkGetMacro(CreaseAngle, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether volumes have outlines and folds, from the layer volume_depth: where the volume of the
+   * rule of the stage `volumes` begins, and where it overlaps itself. Default off.
+   */
+  vtkSetMacro(Volumes, bool);
+  vtkGetMacro(Volumes, bool);
+  vtkBooleanMacro(Volumes, bool);
+  ///@}
+
   enum HiddenLines
   {
     OFF = 0,
@@ -103,6 +113,7 @@ protected:
   bool Outlines = true;
   bool Creases = true;
   bool Folds = true;
+  bool Volumes = false;
   double Width = 1.5;
   double Color[3] = { 0.0, 0.0, 0.0 };
   double CreaseAngle = 30.0;
@@ -113,7 +124,10 @@ private:
   vtkRelievoLinesStage(const vtkRelievoLinesStage&) = delete;
   void operator=(const vtkRelievoLinesStage&) = delete;
 
+  bool HasVolumes(const vtkRelievoFrameContext& context) const;
   std::string Draw(vtkRelievoFrameContext& context);
+  std::string FindSides(vtkRelievoFrameContext& context, bool ofVolumes);
+  std::string DrawSides(vtkRelievoFrameContext& context, bool ofVolumes);
   std::string DrawHidden(vtkRelievoFrameContext& context);
 
   class Internals;

@@ -30,6 +30,10 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   bool WritesArrays = false;       // and any layer that is in no stage's Layers
   // Subset of Writes: only for users that read them optionally.
   std::vector<vtkRelievoResourceName> OptionalWrites;
+  // Layers of other stages that this one changes when they are read after the frame, and its own
+  // layer that it needs for that. Its ReadLayers is given their names, and the image has them.
+  std::vector<std::string> Amends;
+  std::string AmendsBy;
   // Whether the stage changes the colour only in pictures in which an earlier stage does.
   bool OnlyIfColorChanges = false;
   // Whether the stage changes the colour only if translucent geometry is kept apart.

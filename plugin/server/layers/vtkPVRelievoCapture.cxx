@@ -17,9 +17,11 @@
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoLayersStage.h"
 #include "vtkRelievoPass.h"
+#include "vtkRelievoStage.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkVolumeCollection.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -60,6 +62,18 @@ std::string ReadSome(
     next += next != names.end() ? 1 : 0;
   }
   return first;
+}
+}
+
+namespace
+{
+// Whether the layer is the nearer of surface and volume.
+bool IsOfSolidVolumes(const std::string& name, vtkPVRelievoView* view, vtkRenderer* renderer)
+{
+  vtkRelievoStage* volumes = view ? view->GetFrame()->GetStage("volumes") : nullptr;
+  return volumes && volumes->GetParameter("solid") == "on" &&
+    (name == "depth" || name == "range" || name == "position") &&
+    renderer->GetVolumes()->GetNumberOfItems() > 0;
 }
 }
 
@@ -222,14 +236,16 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
   }
   for (const std::string& name : names)
   {
-    const bool apart = processes > 1 && name.compare(0, 6, "volume") == 0 &&
-      vtkRelievoLayerCatalogue::Find(name).Kind != vtkRelievoLayer::ARRAY;
+    const bool apart = processes > 1 &&
+      ((name.compare(0, 6, "volume") == 0 &&
+         vtkRelievoLayerCatalogue::Find(name).Kind != vtkRelievoLayer::ARRAY) ||
+        IsOfSolidVolumes(name, view, renderer));
     if (apart)
     {
       wrong = "'" + name + "' is known only for a whole volume, of which each of the " +
         std::to_string(processes) +
         " processes draws a part. Run ParaView with one process, or leave out the layers of "
-        "volumes.";
+        "volumes, and switch Volumes Are Solid off.";
     }
     if (apart || !in.Image->GetPointData()->HasArray(name.c_str()))
     {

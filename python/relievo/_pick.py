@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a pixel shows."""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy
+
+from ._capture import capture
+from ._image import layer
+from ._renderers import inner_renderer
+
+_OF_SURFACES = ["depth", "position", "normal", "actor", "block", "cell"]
+_OF_VOLUMES = ["volume_depth", "volume_position", "volume_normal", "volume_value",
+               "volume_opacity", "volume"]  # fmt: skip
+
+
+class Picked(NamedTuple):
+    """What a pixel shows: the nearer of surface and volume."""
+
+    kind: str
+    """"surface", "volume", or "" where there is neither."""
+    prop: Any
+    """The vtkActor or vtkVolume; None without one, or for data."""
+    index: int
+    """Its index in renderer.GetActors() or renderer.GetVolumes(); -1: none."""
+    block: int
+    """Of a surface: flat index in composite data, 0 in other data; -1: none."""
+    cell: int
+    """Of a surface: cell of the drawn mesh; -1: none."""
+    depth: float
+    """Along the view direction, world units; infinity: none."""
+    position: numpy.ndarray
+    """World coordinates, in double; 0: none."""
+    normal: numpy.ndarray
+    """World space; of a volume, the direction in which its values fall. 0: none."""
+    value: float
+    """Of a volume: the value of its data; else NaN."""
+    opacity: float
+    """Of all volumes before the surface: 0 nothing, 1 all."""
+    arrays: dict
+    """Values of the arrays that were asked for, of the surface, by name."""
+
+    def __bool__(self) -> bool:
+        return bool(self.kind)
+
+
+def pick(renderer, x, y, arrays=(), size=None) -> Picked:
+    """What a pixel shows: the surface or the volume, its place, and values of the data there.
+
+        found = relievo.pick(renderer, 320, 240)
+        if found.kind == "volume":
+            print(found.position, found.value, found.prop)
+
+    renderer, size: as for capture(), which draws the layers of the whole picture once.
+    x, y: column from the left and row from the top, from 0, as in arrays of layer().
+    arrays: names of point and cell arrays of surfaces whose values are wanted.
+
+    The place in a volume follows the rule of stage(renderer, "volumes", rule=..., opacity=...).
+
+    Returns Picked, which is false where there is nothing. Raises as capture(), and ValueError for a
+    pixel outside the picture.
+    """
+    arrays = [arrays] if isinstance(arrays, str) else list(arrays)
+    inside = inner_renderer(renderer)
+    has_volumes = inside is not None and inside.GetVolumes().GetNumberOfItems() > 0
+    image = capture(renderer, _OF_SURFACES + (_OF_VOLUMES if has_volumes else []) + arrays, size)
+    columns, rows, _ = image.GetDimensions()
+    if not (0 <= x < columns and 0 <= y < rows):
+        raise ValueError(f"x, y: got {x}, {y}, expected a pixel of {columns} x {rows}")
+
+    def at(name):
+        return layer(image, name)[y, x]
+
+    opacity = float(at("volume_opacity")) if has_volumes else 0.0
+    values = {name: at(name) for name in arrays}
+    depth = float(at("depth"))
+    # Rays through volumes end at the surface.
+    if has_volumes and math.isfinite(at("volume_depth")):
+        number = int(at("volume"))
+        return Picked("volume", inside.GetVolumes().GetItemAsObject(number), number, -1, -1,
+                      float(at("volume_depth")), at("volume_position"), at("volume_normal"),
+                      float(at("volume_value")), opacity, values)  # fmt: skip
+    number = int(at("actor"))
+    known = inside is not None and number >= 0
+    prop = inside.GetActors().GetItemAsObject(number) if known else None
+    return Picked("surface" if math.isfinite(depth) else "", prop, number, int(at("block")),
+                  int(at("cell")), depth, at("position"), at("normal"), math.nan, opacity,
+                  values)  # fmt: skip
