@@ -95,6 +95,16 @@ class Motion(CliTest):
         for i, angle in enumerate(angles):
             self.assertAlmostEqual((angle - angles[0]) % 360, 60 * i, places=6)
 
+    def test_a_turn_around_a_point(self):
+        (self.folder / "point.ply").write_text(
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+            "property float z\nend_header\n1 2 3\n")  # fmt: skip
+        self.relievo("render", "point.ply", *PLAIN, "--point-size", 9, "--turntable", 2,
+                     "--report", "v%d.json")  # fmt: skip
+        eyes = [eye - (1, 2, 3) for eye, *_ in self.views(2)]
+        self.assertGreater(numpy.linalg.norm(eyes[0]), 1)
+        numpy.testing.assert_allclose(eyes[1], eyes[0] * (-1, 1, -1), atol=1e-9)
+
     def test_a_path_through_its_keys(self):
         keys = [(0, (3, 2, 7), (0, 0, 0), (0, 1, 0)), (0.2, (6, 1, 2), (0.3, 0, 0), (0, 1, 0.2)),
                 (0.5, (2, 3, -6), (0, 0.1, 0), (0.1, 1, 0))]  # fmt: skip
