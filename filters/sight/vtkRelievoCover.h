@@ -10,10 +10,10 @@
  *
  * A place sees a cell if the segment from it to the cell's place (vtkRelievoSunExposure) is free,
  * from either side of the cell, within FarthestDistance, LargestAngle, ViewAngle and Resolution. A
- * cell counts by its area, times the cell array Weights. Places are chosen one after the other, each
- * with the largest gain (G. L. Nemhauser, L. A. Wolsey, M. L. Fisher 1978; evaluated lazily, M. Minoux
- * 1978), which reaches at least 1 - 1/e, 63 %, of the best choice, and usually far more: the
- * field data `bound` is an upper bound for any choice of so many places.
+ * cell counts by its area, times the cell array Weights. Places are chosen one after the other,
+ * each with the largest gain (G. L. Nemhauser, L. A. Wolsey, M. L. Fisher 1978; evaluated lazily,
+ * M. Minoux 1978), which reaches at least 1 - 1/e, 63 %, of the best choice, and usually far more:
+ * the field data `bound` is an upper bound for any choice of so many places.
  *
  * Output 0: the mesh with the cell arrays covered (number of chosen places that see it, int) and
  * candidates (number of candidates that see it, int), and the field data share (part of the weight
