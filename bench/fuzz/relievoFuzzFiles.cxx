@@ -41,7 +41,7 @@ vtkSmartPointer<vtkRenderWindow> Reuse(
   }
   try
   {
-    scene::CheckSize(window, options.Size);
+    scene::CheckSize(window, options.Size, options.Size);
   }
   catch (const scene::WorkError&)
   {
