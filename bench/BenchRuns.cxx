@@ -3,6 +3,7 @@
 #include "BenchRuns.h"
 
 #include "BenchSummary.h"
+#include "Scripts.h"
 #include "Table.h"
 
 #include <vtksys/Process.h>
@@ -21,6 +22,7 @@ namespace
 {
 constexpr double TooLong = 7200.; // seconds; a bench that takes longer hangs
 constexpr char Done[] = "done";
+constexpr char LeftOut[] = "left out";         // it cannot run here
 constexpr char DoneQuickly[] = "done quickly"; // fewer rounds
 
 std::string RunsFile(const std::string& folder)
@@ -104,7 +106,10 @@ std::string RunOne(
     case vtksysProcess_State_Exited:
     {
       const int value = vtksysProcess_GetExitValue(process);
-      status = value != 0 ? "failed, status " + std::to_string(value) : quick ? DoneQuickly : Done;
+      status = value == MissingPackage ? LeftOut
+        : value != 0                   ? "failed, status " + std::to_string(value)
+        : quick                        ? DoneQuickly
+                                       : Done;
       break;
     }
     case vtksysProcess_State_Exception:
@@ -171,7 +176,7 @@ int RunBenches(const std::string& program, const std::vector<std::string>& names
     const auto start = std::chrono::steady_clock::now();
     run->Status = RunOne(program, name, folder, quick);
     run->Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    good = good && IsDone(run->Status, quick);
+    good = good && (IsDone(run->Status, quick) || run->Status.rfind(LeftOut, 0) == 0);
     std::cout << run->Status << ", " << Number(run->Seconds, 3) << " s\n" << std::flush;
     if (!WriteRuns(folder, runs) || !WriteSummary(folder, beside, machine, runs))
     {

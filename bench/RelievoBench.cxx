@@ -14,6 +14,7 @@
 namespace
 {
 using relievoBench::RunScript;
+using relievoBench::ScriptPlace;
 
 int RunCompare(const std::string& outDir)
 {
@@ -22,30 +23,33 @@ int RunCompare(const std::string& outDir)
 
 int RunScale(const std::string& outDir)
 {
-  return RunScript("scale.py", { "RELIEVO", "--out", outDir + "/scale.csv" }, "", { "--small" });
+  return RunScript(
+    "scale.py", { ScriptPlace::Relievo, "--out", outDir + "/scale.csv" }, "", { "--small" });
 }
 
 const std::vector<std::string> FewRounds = { "--rounds", "3" };
 
 int RunCommandStart(const std::string& outDir)
 {
-  return RunScript(
-    "command_start.py", { "RELIEVO", "DATA" }, outDir + "/command-start.csv", FewRounds);
+  return RunScript("command_start.py", { ScriptPlace::Relievo, ScriptPlace::Data },
+    outDir + "/command-start.csv", FewRounds);
 }
 
 int RunF3D(const std::string& outDir)
 {
-  return RunScript("f3d_frames.py", { "DATA" }, outDir + "/f3d.csv", FewRounds);
+  return RunScript("f3d_frames.py", { ScriptPlace::Data }, outDir + "/f3d.csv", FewRounds);
 }
 
 int RunStudio(const std::string& outDir)
 {
-  return RunScript("studio_samples.py", { "RELIEVO", "DATA" }, outDir + "/studio.csv", FewRounds);
+  return RunScript("studio_samples.py", { ScriptPlace::Relievo, ScriptPlace::Data },
+    outDir + "/studio.csv", FewRounds);
 }
 
 int RunReadable(const std::string& outDir)
 {
-  return RunScript("readable_colors.py", { "RELIEVO", "DATA" }, outDir + "/readable.csv", {});
+  return RunScript("readable_colors.py", { ScriptPlace::Relievo, ScriptPlace::Data },
+    outDir + "/readable.csv", {});
 }
 
 int RefuseName(const std::string& name)
@@ -144,7 +148,8 @@ int RelievoBench(const std::string& name, const std::string& outDir)
         return 1;
       }
       const int status = entry.Run(outDir);
-      return status == 0 && !relievoBench::DrawCharts(name, outDir) ? 1 : status;
+      const bool isMeasured = status == 0 && !relievoBench::IsScriptHelp();
+      return isMeasured && !relievoBench::DrawCharts(name, outDir) ? 1 : status;
     }
   }
   return RefuseName(name);

@@ -7,6 +7,7 @@
 #include <vtksys/Process.h>
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -40,6 +41,13 @@ void SetScriptWords(const std::vector<std::string>& words)
 }
 
 //------------------------------------------------------------------------------
+bool IsScriptHelp()
+{
+  return std::any_of(Further().begin(), Further().end(),
+    [](const std::string& word) { return word == "--help" || word == "-h"; });
+}
+
+//------------------------------------------------------------------------------
 std::string FindWhyNot(const std::string& script)
 {
   const std::string path = std::string(Folder) + "/" + script;
@@ -56,8 +64,8 @@ std::string FindWhyNot(const std::string& script)
 }
 
 //------------------------------------------------------------------------------
-int RunScript(const std::string& script, std::vector<std::string> words, const std::string& table,
-  const std::vector<std::string>& quick)
+int RunScript(const std::string& script, const std::vector<ScriptWord>& given,
+  const std::string& table, const std::vector<std::string>& quick)
 {
   const std::string whyNot = FindWhyNot(script);
   if (!whyNot.empty())
@@ -73,13 +81,17 @@ int RunScript(const std::string& script, std::vector<std::string> words, const s
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   std::string data;
   vtksys::SystemTools::GetEnv("RELIEVO_DATA", data);
-  for (std::string& word : words)
+  std::vector<std::string> words;
+  for (const ScriptWord& word : given)
   {
-    if (word == "DATA" && data.empty())
+    const auto* place = std::get_if<ScriptPlace>(&word);
+    if (place && *place == ScriptPlace::Data && data.empty() && !IsScriptHelp())
     {
       return Refuse(script, "set RELIEVO_DATA to the folder that tools/unpack-data fills");
     }
-    word = word == "RELIEVO" ? program.string() : word == "DATA" ? data : word;
+    words.push_back(!place               ? std::get<std::string>(word)
+        : *place == ScriptPlace::Relievo ? program.string()
+                                         : data);
   }
   if (GetRounds(std::numeric_limits<int>::max()) < std::numeric_limits<int>::max())
   {
@@ -100,19 +112,22 @@ int RunScript(const std::string& script, std::vector<std::string> words, const s
   vtksysProcess* process = vtksysProcess_New();
   vtksysProcess_SetCommand(process, command.data());
   vtksysProcess_SetPipeShared(process, vtksysProcess_Pipe_STDERR, 1);
-  table.empty()
-    ? vtksysProcess_SetPipeShared(process, vtksysProcess_Pipe_STDOUT, 1)
-    : void(vtksysProcess_SetPipeFile(process, vtksysProcess_Pipe_STDOUT, table.c_str()));
+  const bool isTable = !table.empty() && !IsScriptHelp();
+  const std::string part = table + ".part"; // so that a failure keeps an older table
+  isTable ? void(vtksysProcess_SetPipeFile(process, vtksysProcess_Pipe_STDOUT, part.c_str()))
+          : vtksysProcess_SetPipeShared(process, vtksysProcess_Pipe_STDOUT, 1);
   std::cout << std::flush; // before what the script says
   vtksysProcess_Execute(process);
   vtksysProcess_WaitForExit(process, nullptr);
   std::string failure;
+  int status = 1;
   switch (vtksysProcess_GetState(process))
   {
     case vtksysProcess_State_Exited:
-      failure = vtksysProcess_GetExitValue(process) == 0
-        ? ""
-        : "it ended with status " + std::to_string(vtksysProcess_GetExitValue(process));
+      status = vtksysProcess_GetExitValue(process);
+      failure = status == 0        ? ""
+        : status == MissingPackage ? "a package that it needs cannot be imported"
+                                   : "it ended with status " + std::to_string(status);
       break;
     case vtksysProcess_State_Exception:
       failure = std::string("it crashed: ") + vtksysProcess_GetExceptionString(process);
@@ -122,6 +137,16 @@ int RunScript(const std::string& script, std::vector<std::string> words, const s
   }
   vtksysProcess_Delete(process);
   vtksys::SystemTools::PutEnv("PYTHONPATH=" + packages);
-  return failure.empty() ? 0 : Refuse(script, failure);
+  if (isTable && failure.empty())
+  {
+    std::filesystem::rename(part, table, error);
+    failure = error ? "cannot write " + table + ": " + error.message() : "";
+  }
+  if (isTable && !failure.empty())
+  {
+    std::filesystem::remove(part, error);
+  }
+  const int refused = failure.empty() ? 0 : Refuse(script, failure);
+  return refused != 0 && status == MissingPackage ? MissingPackage : refused;
 }
 }

@@ -44,7 +44,12 @@ execute_process(
   RESULT_VARIABLE status OUTPUT_VARIABLE table ECHO_OUTPUT_VARIABLE)
 if (status EQUAL 3)
   execute_process( # again, because the report of frames that are alike is not needed
-    COMMAND "${RELIEVO}" compare "${BASELINE}" "${OUTPUT}" --html "${stem}.html" ${LIMITS} OUTPUT_QUIET)
+    COMMAND "${RELIEVO}" compare "${BASELINE}" "${OUTPUT}" --html "${stem}.html" ${LIMITS}
+    RESULT_VARIABLE status OUTPUT_QUIET)
+  set(report)
+  if (EXISTS "${stem}.html")
+    set(report "; report: ${stem}.html")
+  endif ()
   set(tag CTest)
   if (CMAKE_VERSION VERSION_LESS 3.21)
     set(tag Dart)
@@ -55,7 +60,7 @@ if (status EQUAL 3)
   message("<${tag}Measurement name=\"Causes\" type=\"text/preformatted\">${table}</${tag}Measurement>\n"
     "<${tag}MeasurementFile name=\"ValidImage\" type=\"image/png\">${png_a}</${tag}MeasurementFile>\n"
     "<${tag}MeasurementFile name=\"TestImage\" type=\"image/png\">${png_b}</${tag}MeasurementFile>")
-  fail("The frame differs from the baseline; report: ${stem}.html\n${remedy}")
+  fail("The frame differs from the baseline${report}\n${remedy}")
 elseif (NOT status EQUAL 0)
   fail("relievo compare ended with: ${status}")
 endif ()

@@ -361,6 +361,10 @@ std::string Frame::ReadRecord(vtkImageData* image)
       return "has a record of object " + std::to_string(this->Objects.size()) +
         " that cannot be read; write the baseline again";
     }
+    if (version < 3.0)
+    {
+      object.Glyphs.clear(); // there without the arrays that place them
+    }
     this->Objects.push_back(object);
   }
   for (const int actor : this->Actor)
@@ -380,6 +384,10 @@ std::string Frame::ReadRecord(vtkImageData* image)
       TakeNumbers(json, "bounds", volume.Bounds);
       volume.Values = json;
       volume.Values.erase("bounds");
+      if (version < 3.0)
+      {
+        volume.Values.erase("data"); // there also a sum of the points, so not comparable
+      }
     }
     this->Volumes.push_back(volume);
   }

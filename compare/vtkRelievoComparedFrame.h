@@ -18,7 +18,7 @@ class vtkImageData;
 namespace relievo::compare
 {
 // The newest format of records, which is also written; older formats lack entries.
-constexpr int RecordVersion = 2;
+constexpr int RecordVersion = 3;
 
 // An actor, as recorded. Without a record only the number of objects is known, from the largest
 // visible id.

@@ -15,11 +15,13 @@
 #include "vtkCallbackCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <nlohmann/json.hpp>
 
@@ -75,6 +77,15 @@ void ReadLayers(const std::string& path, const vtkRelievoReaderProcess::Say&, La
   });
   reader->AddObserver(vtkCommand::ErrorEvent, keep);
   reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  // Smooth layers compress well: the values need more memory than the file's size lets expect.
+  // Allow() permits 32 bytes per byte, so this is four times their size as floats.
+  const double values = std::max(0.0, double(extent[1]) - extent[0] + 1) *
+    std::max(0.0, double(extent[3]) - extent[2] + 1) * reader->GetNumberOfChannels();
+  constexpr double MostValues = 4e9; // damaged headers promise more
+  vtkRelievoReaderProcess::Allow(static_cast<std::uint64_t>(std::min(values, MostValues) / 2.0));
   reader->Update();
   if (reader->GetErrorCode() == vtkErrorCode::NoError)
   {
@@ -104,6 +115,10 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, std::string& fa
   const std::string end = vtkRelievoReaderProcess::Do<ReadLayers>(
     path, [](const std::string&, double) { return true; }, made);
   failure = end.empty() ? made.Failure : path + ": its reader " + end;
+  if (end.rfind("used more than", 0) == 0)
+  {
+    failure += "; write it with fewer layers or pixels";
+  }
   if (failure.empty() && !made.Image)
   {
     failure = path + ": its reader crashed: its result is damaged";

@@ -8,6 +8,31 @@
 
 namespace relievo::compare
 {
+namespace
+{
+// Whether two recorded matrices differ in more than their translations.
+bool IsTurned(const nlohmann::json& from, const nlohmann::json& to)
+{
+  if (!from.is_array() || !to.is_array() || from.size() != 16 || to.size() != 16)
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < 12; ++i)
+  {
+    if (i % 4 != 3 && from[i] != to[i])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool IsValid(const std::array<double, 6>& bounds)
+{
+  return bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
+}
+}
+
 //------------------------------------------------------------------------------
 VolumeChanges::VolumeChanges(const Frame& before, const Frame& after, CauseList& list)
   : A(before)
@@ -96,7 +121,7 @@ void VolumeChanges::Add(std::size_t side, std::size_t volume, int finding)
 {
   this->Findings[side][volume] = finding;
   const std::array<double, 6>& bounds = (side == 0 ? this->A : this->B).Volumes[volume].Bounds;
-  if (finding >= 0 && bounds[0] <= bounds[1])
+  if (finding >= 0 && IsValid(bounds))
   {
     this->Regions.push_back({ finding, bounds });
   }
@@ -131,21 +156,29 @@ int VolumeChanges::Compare(int before, int after)
     finding.Words = word + ": " + Join(names);
     if (cause == Cause::Moved)
     {
-      std::array<double, 3> by{};
-      for (std::size_t i = 0; i < 3; ++i)
+      finding.Words = "moved";
+      if (IsValid(from.Bounds) && IsValid(to.Bounds))
       {
-        by[i] = 0.5 *
-          (to.Bounds[2 * i] + to.Bounds[2 * i + 1] - from.Bounds[2 * i] - from.Bounds[2 * i + 1]);
+        std::array<double, 3> by{};
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+          by[i] = 0.5 *
+            (to.Bounds[2 * i] + to.Bounds[2 * i + 1] - from.Bounds[2 * i] - from.Bounds[2 * i + 1]);
+        }
+        finding.Words += " by " + WriteVector(by);
+        finding.More["displacement"] = by;
       }
-      finding.Words = "moved by " + WriteVector(by);
-      finding.More["displacement"] = by;
+      const nlohmann::json none;
+      const bool isTurned =
+        IsTurned(from.Values.value("matrix", none), to.Values.value("matrix", none));
+      finding.Words += isTurned ? ", turned" : "";
     }
     else if (cause == Cause::Visibility)
     {
       const bool isHidden = to.Values.value("visible", nlohmann::json(true)) == false;
-      finding.Words = names.front() == "clipping" ? "visibility: clipping planes"
-        : isHidden                                ? "hidden"
-                                                  : "shown";
+      finding.Words = names.back() != "visible" ? "visibility: clipping planes"
+        : isHidden                              ? "hidden"
+                                                : "shown";
     }
     else if (cause == Cause::Array)
     {

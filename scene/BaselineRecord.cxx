@@ -69,6 +69,7 @@
 #include <cstdio>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scene
@@ -288,8 +289,8 @@ void AddNodes(CheckSum& sum, Function* function)
   }
 }
 
-// Adds a grey transfer function like the same one in colours, into which VTK turns the default when
-// it draws a volume.
+// Adds a grey transfer function with the nodes of a grey colour function, into which VTK turns the
+// default when it draws a volume.
 void AddGrayNodes(CheckSum& sum, vtkPiecewiseFunction* function)
 {
   for (int i = 0; function && i < function->GetSize(); ++i)
@@ -399,6 +400,41 @@ Json DescribeBlocks(vtkMapper* mapper)
   return blocks;
 }
 
+// Adds the names and values of the arrays that scale, choose, mask and orient glyphs.
+void AddPlacingArrays(CheckSum& sum, vtkGlyph3DMapper* mapper, vtkDataSet* data)
+{
+  const std::pair<int, bool> uses[] = { { vtkGlyph3DMapper::SCALE,
+                                          mapper->GetScaling() && mapper->GetScaleMode() != 0 },
+    { vtkGlyph3DMapper::SOURCE_INDEX, mapper->GetSourceIndexing() != 0 },
+    { vtkGlyph3DMapper::MASK, mapper->GetMasking() != 0 },
+    { vtkGlyph3DMapper::ORIENTATION, mapper->GetOrient() != 0 } };
+  for (const auto& [index, isUsed] : uses)
+  {
+    vtkInformation* chosen = isUsed ? mapper->GetInputArrayInformation(index) : nullptr;
+    vtkDataArray* array = nullptr;
+    if (chosen && chosen->Has(vtkDataObject::FIELD_NAME()))
+    {
+      array = data->GetPointData()->GetArray(chosen->Get(vtkDataObject::FIELD_NAME()));
+    }
+    else if (chosen && chosen->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+    {
+      array =
+        data->GetPointData()->GetAttribute(chosen->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+    }
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    sum.Add(&index, sizeof(index));
+    sum.Add(name.c_str(), name.size());
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      {
+        const double value = array->GetComponent(i, c);
+        sum.Add(&value, sizeof(value));
+      }
+    }
+  }
+}
+
 // The check sum of the shapes of glyphs, and of how they are placed at the points.
 std::string DescribeGlyphs(vtkGlyph3DMapper* mapper)
 {
@@ -419,6 +455,11 @@ std::string DescribeGlyphs(vtkGlyph3DMapper* mapper)
     double(mapper->GetOrientationMode()), double(mapper->GetMasking()),
     double(mapper->GetSourceIndexing()) };
   placing.Add(values, sizeof(values));
+  if (mapper->GetNumberOfInputConnections(0) > 0)
+  {
+    ForEachDataSet(mapper->GetInputDataObject(0, 0),
+      [&](vtkDataSet* data) { AddPlacingArrays(placing, mapper, data); });
+  }
   return sources.PointSum.Get() + " " + sources.CellSum.Get() + " " + placing.Get();
 }
 

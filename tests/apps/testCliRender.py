@@ -729,6 +729,24 @@ class Bench(CliTest):
             done = self.relievo("bench", *words, status=1, environment={"RELIEVO_DATA": ""})
             self.assertIn(says, done.stderr)
 
+    def test_scripts_keep_tables(self):
+        """A script that fails, or shows its help, leaves the older table, and no other file."""
+        data = {"RELIEVO_DATA": str(self.folder)}
+        for name in ("studio", "readable"):
+            table = self.folder / f"{name}.csv"
+            table.write_text("old\n")
+            self.relievo("bench", name, "--", "--nonsense", status=1, environment=data)
+            said = self.relievo("bench", name, "--", "--help", environment={"RELIEVO_DATA": ""})
+            self.assertIn("usage:", said.stdout)
+            self.assertEqual(table.read_text(), "old\n")
+        self.assertFalse(list(self.folder.glob("*.part")))
+
+    def test_folder_named_like_a_place(self):
+        """Words for places that scripts are given are not taken from the user's."""
+        done = self.relievo("bench", "compare", "--out", "DATA", "--", "--nonsense", status=1,
+                            environment={"RELIEVO_DATA": ""})  # fmt: skip
+        self.assertIn("compare.py: it ended with status 2", done.stderr)
+
     def test_several(self):
         """One fails for want of meshes, the other is done, and is not run again; the summary tells
         both, and puts times beside those of a folder."""

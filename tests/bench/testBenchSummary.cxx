@@ -9,6 +9,8 @@
 #include "Table.h"
 #include "TestCase.h"
 
+#include <sys/stat.h>
+
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -139,6 +141,13 @@ void TestRefusals(const std::string& there)
   // A program that does not start is a bench that failed.
   RELIEVO_CHECK(RunBenches("no-such-program", { "fog" }, fresh, there, {}) == 1);
   RELIEVO_CHECK(ReadAll(fresh + "/benches.csv").find("fog,") != std::string::npos);
+  // A bench that lacks a package is left out, with its reason; it is not a failure.
+  const std::string lacks = relievoTest::OutputFolder() + "/lacks";
+  Write(lacks, "#!/bin/sh\necho 'f3d is missing'\nexit 3\n");
+  RELIEVO_CHECK(chmod(lacks.c_str(), 0755) == 0);
+  RELIEVO_CHECK(RunBenches(lacks, { "f3d" }, fresh, there, {}) == 0);
+  const std::string runs = ReadAll(fresh + "/benches.csv");
+  RELIEVO_CHECK_THAT(runs.find("left out: f3d is missing") != std::string::npos, runs);
 }
 }
 

@@ -285,7 +285,7 @@ vtkSmartPointer<vtkImageData> Draw(const Boxes& boxes)
     }
     vtkNew<vtkIntArray> version;
     version->SetName("baseline_version");
-    version->InsertNextValue(2);
+    version->InsertNextValue(3);
     image->GetFieldData()->AddArray(version);
     AddStrings(image, "objects", objects);
     AddStrings(image, "volumes", boxes.Volumes);

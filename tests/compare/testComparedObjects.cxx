@@ -426,9 +426,10 @@ void TestVolumes()
 {
   Boxes before = compareTest::MakeBoxes();
   before.Volumes = {
-    R"({"bounds": [-1, 1, 0, 1, -1, 1], "visible": true, "matrix": [1, 0], "points": "1", )"
+    R"({"bounds": [-1, 1, 0, 1, -1, 1], "matrix": )"
+    R"([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], "points": "1", )"
     R"("array": "density", "data": "2", "colors": "3", "opacity": "4", "shading": "5", )"
-    R"("clipping": []})"
+    R"("visible": true, "clipping": []})"
   };
   const auto change = [&before](const std::string& from, const std::string& to) {
     Boxes after = before;
@@ -449,9 +450,14 @@ void TestVolumes()
     { R"("visible": true)", R"("visible": false)", "visibility", "hidden" },
     { R"("clipping": [])", R"("clipping": [[0, 0, 0, 1, 0, 0]])", "visibility",
       "visibility: clipping planes" },
-    { R"([-1, 1, 0, 1, -1, 1], "visible": true, "matrix": [1, 0])",
-      R"([-0.5, 1.5, 0, 1, -1, 1], "visible": true, "matrix": [1, 0.5])", "moved",
-      "moved by (0.5, 0, 0)" } };
+    { R"([-1, 1, 0, 1, -1, 1], "matrix": [1, 0, 0, 0, )",
+      R"([-0.5, 1.5, 0, 1, -1, 1], "matrix": [1, 0, 0, 0.5, )", "moved", "moved by (0.5, 0, 0)" },
+    { R"("visible": true, "clipping": [])", R"("visible": false, "clipping": [[0, 0, 0, 1, 0, 0]])",
+      "visibility", "hidden" },
+    { R"([1, 0, 0, 0, 0, 1, 0, 0,)", R"([0, -1, 0, 0, 1, 0, 0, 0,)", "moved",
+      "moved by (0, 0, 0), turned" },
+    { R"([-1, 1, 0, 1, -1, 1], "matrix": [1, 0, 0, 0, )",
+      R"([1, -1, 1, -1, 1, -1], "matrix": [1, 0, 0, 0.5, )", "moved", "moved" } };
   for (const Case& each : cases)
   {
     const json found = Compare(compareTest::Draw(before), change(each.From, each.To));

@@ -21,6 +21,7 @@ import relievo
 from relievo.vtkRelievoScene import vtkRelievoBaseline, vtkRelievoScene
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import (
+    vtkDoubleArray,
     vtkOutputWindow,
     vtkPoints,
     vtkStringArray,
@@ -1022,6 +1023,37 @@ class Compared(unittest.TestCase):
         source.SetXLength(1.2)
         glyph = self.only(relievo.compare(self.path, renderer), "shape")
         self.assertEqual((glyph["name"], glyph["words"]), ("dots", "shape: other glyphs"))
+
+    def test_arrays_of_glyphs(self):
+        """The record has the arrays by which glyphs are scaled, with names and values."""
+        renderer = self.renderer()
+        points = vtkPolyData()
+        points.ShallowCopy(self.actors[1].GetMapper().GetInput())
+        for name, factor in (("a", 0.1), ("b", 0.2)):
+            array = vtkDoubleArray()
+            array.SetName(name)
+            array.SetNumberOfTuples(points.GetNumberOfPoints())
+            array.FillComponent(0, factor)
+            points.GetPointData().AddArray(array)
+        source = vtkCubeSource()
+        glyphs = vtkGlyph3DMapper()
+        glyphs.SetInputData(points)
+        glyphs.SetSourceConnection(source.GetOutputPort())
+        glyphs.SetScaleModeToScaleByMagnitude()
+        glyphs.SetScaleArray("a")
+        dots = vtkActor()
+        dots.SetMapper(glyphs)
+        renderer.RemoveAllViewProps()
+        renderer.AddActor(dots)
+        relievo.write_baseline(self.path, renderer, names={dots: "dots"})
+        self.assertTrue(relievo.compare(self.path, renderer))
+        glyphs.SetScaleArray("b")
+        glyph = self.only(relievo.compare(self.path, renderer), "shape")
+        self.assertEqual((glyph["name"], glyph["words"]), ("dots", "shape: other glyphs"))
+        glyphs.SetScaleArray("a")
+        self.assertTrue(relievo.compare(self.path, renderer))
+        array.FillComponent(0, 0.3)  # of b, which is not used
+        self.assertTrue(relievo.compare(self.path, renderer))
 
     def test_window(self):
         """vtkRelievoBaseline.Test(), for programs in C++: its text and files."""
