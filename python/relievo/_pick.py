@@ -47,6 +47,15 @@ class Picked(NamedTuple):
         return bool(self.kind)
 
 
+def _has_layers(renderer, size):
+    """Whether any volume has layers."""
+    try:
+        capture(renderer, ["volume_opacity"], size)
+    except ValueError:
+        return False
+    return True
+
+
 def pick(renderer, x, y, arrays=(), size=None) -> Picked:
     """What a pixel shows: the surface or the volume, its place, and values of the data there.
 
@@ -76,8 +85,10 @@ def pick(renderer, x, y, arrays=(), size=None) -> Picked:
     except ValueError:
         if not has_volumes:
             raise
-        has_volumes = False  # no volume has layers
         image = capture(renderer, of_surfaces, size)
+        if _has_layers(renderer, size):
+            raise  # of volumes drawn in bricks, which have an opacity alone
+        has_volumes = False
     columns, rows, _ = image.GetDimensions()
     if not (0 <= x < columns and 0 <= y < rows):
         raise ValueError(f"x, y: got {x}, {y}, expected a pixel of {columns} x {rows}")

@@ -831,6 +831,10 @@ class Stages(unittest.TestCase):
         found = relievo.pick(scene.renderer, 32, 32, size=SIZE)
         self.assertIs(found.prop, actor)
         self.assertIsNone(found.position.base)
+        bricks = Scene(image_of(ball()), STEEP)
+        bricks.mapper.SetPartitions(1, 1, 2)
+        with self.assertRaisesRegex(ValueError, "bricks"):
+            relievo.pick(bricks.renderer, 32, 32, size=SIZE)
         relievo.stage(scene.renderer, "volumes", solid=True)
         image = relievo.capture(scene.renderer, ["depth"], size=SIZE)
         numpy.testing.assert_allclose(relievo.layer(image, "depth"), 63, atol=1e-4)

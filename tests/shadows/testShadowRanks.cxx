@@ -207,7 +207,7 @@ std::vector<float> DrawAll(vtkMultiProcessController* controller)
     mapper->SetInputData(image);
     vtkNew<vtkVolume> volume;
     volume->SetMapper(mapper);
-    part.Renderer->AddVolume(volume);
+    part.Stage.Renderer->AddVolume(volume);
   }
   RELIEVO_CHECK(part.Shadows->Certify(50));
   return numbers;
