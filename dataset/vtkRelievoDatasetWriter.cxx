@@ -17,6 +17,7 @@
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoLensCamera.h"
 #include "vtkRelievoRayLayers.h"
 #include "vtkRelievoScene.h"
 #include "vtkRenderer.h"
