@@ -664,7 +664,7 @@ void TestCertified()
   const vtkVariant share = shadows->GetFacts()["volume_wrong_share"];
   RELIEVO_CHECK(share.IsValid());
   RELIEVO_CHECK_NEAR(chosen, 64, 0, "nodes, of which 32 are too few");
-  RELIEVO_CHECK_AT_MOST(share.ToDouble(), 0.02, "expected with these nodes");
+  RELIEVO_CHECK_AT_MOST(share.ToDouble(), 0.1, "expected with a node a voxel");
   shadows->SetTolerance(0.0);
   shadows->SetTimeBudget(0.01);
   stage.Window->Render();
@@ -716,7 +716,7 @@ void TestGrids()
   const relievoTest::GLCheck gl(stage.Window);
   stage.Window->Render();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
-  const Volume volume(65, [](const glm::dvec3& place) {
+  const Volume volume(129, [](const glm::dvec3& place) {
     const glm::dvec3 wave = glm::sin(40.0 * place);
     return 0.97 * std::max(0.0, wave.x * wave.y * wave.z);
   });
@@ -731,21 +731,22 @@ void TestGrids()
     return shade.Update(window, sources);
   };
   vtkRelievoVolumeShade shade;
-  RELIEVO_CHECK(update(shade, 60, {}, 1e9).empty());
+  RELIEVO_CHECK(update(shade, 120, {}, 1e9).empty());
   const double bytes = static_cast<double>(shade.GetBytes());
   vtkRelievoVolumeShade other;
-  RELIEVO_CHECK(update(other, 60, {}, bytes).empty());
-  const std::string fault = update(other, 61, {}, bytes - 1.0);
-  RELIEVO_CHECK_THAT(fault.find("lower volume_nodes, which is 61") != std::string::npos, fault);
+  RELIEVO_CHECK(update(other, 120, {}, bytes).empty());
+  const std::string fault = update(other, 121, {}, bytes - 1.0);
+  RELIEVO_CHECK_THAT(fault.find("lower volume_nodes, which is 121") != std::string::npos, fault);
 
   vtkRelievoVolumeShade::Goal goal;
   goal.Tolerance = 1e-6;
-  RELIEVO_CHECK(update(shade, 60, goal, 1e9).empty());
+  RELIEVO_CHECK(update(shade, 120, goal, 1e9).empty());
   RELIEVO_CHECK(shade.GetNodesMade() >= 64);
   vtkRelievoVolumeShade small;
-  RELIEVO_CHECK(update(small, 60, goal, 0.6 * bytes).empty());
+  const std::string fits = update(small, 120, goal, 0.6 * bytes);
+  RELIEVO_CHECK_THAT(fits.empty(), fits + " of " + std::to_string(bytes));
   RELIEVO_CHECK(small.IsMade() && static_cast<double>(small.GetBytes()) <= 0.6 * bytes);
-  const std::string none = update(other, 60, goal, 1000.0);
+  const std::string none = update(other, 120, goal, 1000.0);
   RELIEVO_CHECK_THAT(!none.empty() && none.find("volume_nodes") == std::string::npos, none);
 
   // Just too little time and just enough, before the real time is known.
@@ -1209,6 +1210,8 @@ void TestOnVolumes()
 RELIEVO_TEST_CASE(testVolumeShadows)
 {
   relievoTest::Session session;
+  TestGrids();
+  TestWeight();
   TestBox();
   TestSmooth();
   TestExact();
@@ -1217,8 +1220,6 @@ RELIEVO_TEST_CASE(testVolumeShadows)
   TestRefused();
   TestGround();
   TestCertified();
-  TestGrids();
-  TestWeight();
   TestColored();
   TestSteep();
   TestProps();
