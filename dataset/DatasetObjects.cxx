@@ -27,6 +27,8 @@
 #include "vtkVolumeCollection.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace scene
 {
@@ -208,6 +210,11 @@ DatasetObjects::DatasetObjects(
 //------------------------------------------------------------------------------
 void DatasetObjects::AddVolumes()
 {
+  std::set<std::string> names; // of actors, which may have one like a volume's
+  for (const auto& object : this->Objects)
+  {
+    names.insert(object.Name);
+  }
   vtkVolumeCollection* volumes = this->Renderer->GetVolumes();
   for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
   {
@@ -218,7 +225,12 @@ void DatasetObjects::AddVolumes()
       volume->GetMatrix(pose);
       this->Volumes[i] = { volume, volume->GetMapper()->GetBounds(),
         static_cast<int>(this->Objects.size()), pose };
-      this->Objects.push_back({ "volume_" + std::to_string(i), pose });
+      int number = i;
+      while (!names.insert("volume_" + std::to_string(number)).second)
+      {
+        ++number;
+      }
+      this->Objects.push_back({ "volume_" + std::to_string(number), pose });
     }
   }
 }

@@ -354,11 +354,6 @@ DatasetView DatasetPainter::Draw(vtkRelievoCameraModel* camera, vtkRelievoCamera
       }
     }
   }
-  else if (this->Objects.HasVolumes())
-  {
-    throw UsageError("volumes that are solid need pinhole cameras: a lens and other sensors trace "
-                     "rays, which volumes are not in; switch solid of the stage volumes off");
-  }
   else
   {
     this->FollowRays(camera, before, view);

@@ -17,6 +17,7 @@
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoLensCamera.h"
 #include "vtkRelievoRayLayers.h"
 #include "vtkRelievoScene.h"
 #include "vtkRenderer.h"
@@ -96,6 +97,7 @@ struct vtkRelievoDatasetWriter::Internals
   Json ReadRecord(const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const;
 
   void Check(const scene::DatasetFormat& format) const;
+  void CheckIsPinhole() const;
   double GetDepthStep(const scene::DatasetObjects& objects) const;
   void WriteIndex(const scene::DatasetStyle& style, const std::vector<std::string>& objects) const;
 };
@@ -331,6 +333,21 @@ void vtkRelievoDatasetWriter::Internals::Check(const scene::DatasetFormat& forma
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::Internals::CheckIsPinhole() const
+{
+  for (std::size_t i = 0; i < this->Cameras.size(); ++i)
+  {
+    auto* lens = vtkRelievoLensCamera::SafeDownCast(this->Cameras[i]);
+    if (!lens || lens->GetLens() != vtkRelievoLensCamera::PINHOLE)
+    {
+      throw scene::UsageError("view " + std::to_string(i) +
+        ": volumes that are solid need pinhole cameras: a lens and other sensors trace rays, which "
+        "volumes are not in; switch solid of the stage volumes off");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 double vtkRelievoDatasetWriter::Internals::GetDepthStep(const scene::DatasetObjects& objects) const
 {
   const vtkBoundingBox box = objects.GetOpaqueBounds();
@@ -450,6 +467,10 @@ void vtkRelievoDatasetWriter::WriteViews()
       ": there are " + std::to_string(views));
   }
   const scene::DatasetObjects objects(self.Renderer, self.Names, this->ObjectsByBlock);
+  if (objects.HasVolumes())
+  {
+    self.CheckIsPinhole();
+  }
   std::vector<std::string> names;
   for (const scene::DatasetObject& object : objects.Get())
   {

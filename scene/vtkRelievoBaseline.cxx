@@ -163,7 +163,16 @@ bool vtkRelievoBaseline::Capture(vtkImageData* image)
       ofVolumes.push_back(layer);
     }
   }
+  const bool amends = pass && pass->GetAmends();
+  if (pass)
+  {
+    pass->SetAmends(false); // the surfaces' own depth is compared; volumes have layers of their own
+  }
   source->Update();
+  if (pass)
+  {
+    pass->SetAmends(amends);
+  }
   bool isDrawn = source->GetOutput()->GetNumberOfPoints() > 0;
   if (pass)
   {

@@ -309,7 +309,7 @@ std::string vtkRelievoFramePass::TryReadLayers(
     return "Reading layers needs an image to fill, and was given none; give it a vtkImageData.";
   }
   const std::string wrong = this->Internal->Reader.Read(names, image);
-  return wrong.empty() ? this->Internal->Reader.Amend(names, image) : wrong;
+  return wrong.empty() && this->Amends ? this->Internal->Reader.Amend(names, image) : wrong;
 }
 
 //------------------------------------------------------------------------------
@@ -408,6 +408,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   context.Nested = renderer->GetPass() != this;
   context.ReadBack.assign(in.Requested.begin(), in.Requested.end());
   context.OptionalLayers = in.Optional;
+  context.Amends = this->Amends;
   context.ReadLayers = [&in](const std::vector<std::string>& names, vtkImageData* image) {
     return in.Reader.Read(names, image);
   };

@@ -94,6 +94,21 @@ public:
    */
   void SetOptionalLayers(const std::vector<std::string>& names);
   const std::vector<std::string>& GetOptionalLayers() const;
+
+  ///@{
+  /**
+   * Whether stages may amend layers of others, as the stage volumes amends depth with `solid`. Off
+   * for readers that need the surfaces' own layers. Default on.
+   */
+  void SetAmends(bool amends)
+  {
+    this->Amends = amends;
+  }
+  bool GetAmends() const
+  {
+    return this->Amends;
+  }
+  ///@}
 #endif
 
   ///@{
@@ -186,6 +201,7 @@ protected:
   bool LayersOnly = false;
   bool WaitForSamples = false;
   bool SamplesOneByOne = false;
+  bool Amends = true;
 
 private:
   vtkRelievoFramePass(const vtkRelievoFramePass&) = delete;

@@ -96,6 +96,12 @@ std::string vtkRelievoFrameReader::Amend(const std::vector<std::string>& names, 
   for (const std::string& name : names)
   {
     const auto found = this->Amenders.find(name);
+    if (found != this->Amenders.end() && !found->second)
+    {
+      return "The layer '" + name +
+        "' cannot be read: the last frame was not asked for what another stage amends in it; ask "
+        "for it (RequestLayer) and render before.";
+    }
     if (found != this->Amenders.end())
     {
       amended[found->second].push_back(name);

@@ -114,8 +114,8 @@ void vtkRelievoFrameRun::Declare()
     const auto isAsked = [&layers](const std::string& name) {
       return std::find(layers.begin(), layers.end(), name) != layers.end();
     };
-    if (node.Declaration.Runs && std::any_of(amends.begin(), amends.end(), isAsked) &&
-      !isAsked(node.Declaration.AmendsBy))
+    if (this->Context.Amends && node.Declaration.Runs &&
+      std::any_of(amends.begin(), amends.end(), isAsked) && !isAsked(node.Declaration.AmendsBy))
     {
       layers.push_back(node.Declaration.AmendsBy);
     }
@@ -246,17 +246,23 @@ std::map<std::string, vtkRelievoStage*> vtkRelievoFrameRun::GetWriters() const
 }
 
 //------------------------------------------------------------------------------
+// nullptr: the layers cannot be amended, as none of them was requested.
 std::map<std::string, vtkRelievoStage*> vtkRelievoFrameRun::GetAmenders() const
 {
+  const std::vector<std::string>& asked = this->Context.ReadBack;
   std::map<std::string, vtkRelievoStage*> amenders;
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {
     const vtkRelievoFramePlan::Node& node = this->Nodes[i + 1];
-    for (const std::string& layer : node.Declaration.Amends)
+    const std::vector<std::string>& amends = node.Declaration.Amends;
+    const bool any = std::any_of(amends.begin(), amends.end(), [&asked](const std::string& layer) {
+      return std::find(asked.begin(), asked.end(), layer) != asked.end();
+    });
+    for (const std::string& layer : amends)
     {
-      if (node.Needed)
+      if (any ? node.Needed : node.Declaration.Runs)
       {
-        amenders[layer] = this->Stages[i];
+        amenders[layer] = any ? this->Stages[i] : nullptr;
       }
     }
   }

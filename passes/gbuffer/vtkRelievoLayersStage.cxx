@@ -524,7 +524,7 @@ void vtkRelievoLayersStage::Internals::Arrange(
     this->Textures.WhyNot = this->DrawsWithoutLayers
       ? "a surface was drawn by a shader that takes no splice, or the delegate draws in several "
         "steps"
-      : context.ColorsLight ? "translucent surfaces colour the light that passes them"
+      : context.ColorsLight ? "translucent surfaces or volumes colour the light that passes them"
                             : vtkRelievoSurfaces::WhyAllLit(context.Scene, context.Window);
   }
   this->Shading = this->ShadingAsked && this->Textures.WhyNot.empty();

@@ -200,7 +200,7 @@ std::string vtkRelievoLightMaps::MakeShade(vtkOpenGLRenderWindow* window, const 
     seen ? this->Work.Props.GetVolumeCasters() : std::vector<vtkRelievoPlacedVolume>(),
     settings.ColoredShadows);
   this->Work.Shade.SetNodes(
-    settings.VolumeNodes, { settings.Tolerance, VolumesShare * settings.TimeBudget });
+    settings.VolumeNodes, { settings.Tolerance, VolumesShare * settings.TimeBudget }, samples > 1);
   const std::string fault = this->Work.Shade.Update(window, sources);
   if (!this->Work.Shade.Bind())
   {

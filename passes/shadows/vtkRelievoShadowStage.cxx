@@ -480,12 +480,11 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
   description.AddNumber(
     "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0,
     "", "Fraction of a blocked light that is removed.");
-  description
-    .AddFlag(
-      "colored_shadows", this->ColoredShadows, [this](bool on) { this->SetColoredShadows(on); },
-      "Exact shadows: translucent surfaces cast, and colour the light that passes them; so do "
-      "coloured volumes.")
-    .OnlyIf = "method=exact";
+  description.AddFlag(
+    "colored_shadows", this->ColoredShadows, [this](bool on) { this->SetColoredShadows(on); },
+    "Exact shadows: translucent surfaces cast, and colour the light that passes them. Every "
+    "method: "
+    "coloured volumes do.");
   description
     .AddNumber(
       "tolerance", this->Tolerance, [this](double share) { this->SetTolerance(share); }, 0.0, 1.0,

@@ -344,6 +344,8 @@ std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
       // The last of two or four dependent components is the opacity's.
       Channel channel = field.MakeChannel(property, image, independent ? i : components - 1, i);
       const bool seen = *std::max_element(channel.Extinction.begin(), channel.Extinction.end()) > 0;
+      // VTK weights components only if there are several.
+      channel.Weight = independent ? channel.Weight : 1.f;
       if (seen && channel.Weight > 0.f)
       {
         if (colored)

@@ -55,7 +55,7 @@ bool vtkRelievoVolumeMarch::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* v
   this->Values->GetFiniteRange(this->Range);
   this->Memory = this->Values->GetVoidPointer(0);
   vtkVolumeProperty* property = volume->GetProperty();
-  this->Linear = property->GetInterpolationType() == VTK_LINEAR_INTERPOLATION;
+  this->Linear = property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
   this->UnitDistance = property->GetScalarOpacityUnitDistance();
   this->Function = vtkSmartPointer<vtkPiecewiseFunction>::New();
   this->Function->DeepCopy(property->GetScalarOpacity());

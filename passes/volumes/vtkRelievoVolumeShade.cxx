@@ -38,8 +38,6 @@ constexpr int FewestPlaces = 256; // of an estimate
 constexpr int MostPlaces = 4096;
 // Of a node on common machines, until one was made.
 constexpr double UsualMilliseconds = 3e-5;
-// Larger textures are refused.
-constexpr double MostBytes = 1073741824.0;
 
 int RoundUp(int size)
 {
@@ -121,7 +119,6 @@ std::string vtkRelievoVolumeShade::Update(
       }
       this->NotTraced += why.empty() ? std::string() : "; a volume casts none: " + why;
     }
-    this->Shares.clear();
   }
   if (this->Fields.empty() || sources.empty())
   {
@@ -148,17 +145,14 @@ std::string vtkRelievoVolumeShade::Update(
   const int most = this->ChooseNodes(sources, room);
   const bool resized = most != this->NodesMade;
   this->NodesMade = most;
-  double bytes = 0.0;
-  for (const vtkRelievoOpticalDepths::Source& source : sources)
-  {
-    bytes += 2.0 * this->GetChannels() * CountNodes(this->Fields, source, most);
-  }
-  if (bytes > MostBytes)
+  const double bytes = this->CountBytes(sources, most);
+  if (bytes > this->MostBytes)
   {
     return refuse("the depths of volumes would take " +
       std::to_string(static_cast<long long>(bytes / 1048576.0)) + " MiB, more than " +
-      std::to_string(static_cast<long long>(MostBytes / 1048576.0)) +
-      "; lower volume_nodes, which is " + std::to_string(most));
+      std::to_string(static_cast<long long>(this->MostBytes / 1048576.0)) +
+      (this->Goals.IsSet() ? "; let fewer lights cast shadows"
+                           : "; lower volume_nodes, which is " + std::to_string(most)));
   }
   std::vector<std::size_t> made;
   const auto began = std::chrono::steady_clock::now();
@@ -207,17 +201,29 @@ std::string vtkRelievoVolumeShade::Update(
 }
 
 //------------------------------------------------------------------------------
-// The fewest nodes that meet the tolerance, but not more than there is time for.
+// The fewest nodes that meet the tolerance, but not more than there is time and memory for. The
+// choice keeps while nothing changes, though the measured time does: one picture has one grid.
 int vtkRelievoVolumeShade::ChooseNodes(
   const std::vector<vtkRelievoOpticalDepths::Source>& sources, int limit)
 {
-  this->WrongShare = -1.0;
+  if (!this->Goals.IsSet())
+  {
+    this->WrongShare = -1.0;
+    return std::min(this->Nodes, limit);
+  }
+  const bool same = this->SourcesVary ? this->ChosenSources.size() == sources.size()
+                                      : this->ChosenSources == sources;
+  if (this->Chosen > 0 && this->ChosenState == this->State && same)
+  {
+    return this->Chosen;
+  }
+  this->ChosenState = this->State;
+  this->ChosenSources = sources;
   int chosen = std::min(this->Nodes, limit);
   if (this->Goals.Tolerance > 0.0)
   {
     this->EstimateShares(limit);
     chosen = this->Shares.back().first;
-    this->WrongShare = this->Shares.back().second;
   }
   if (this->Goals.Milliseconds > 0.0)
   {
@@ -234,12 +240,36 @@ int vtkRelievoVolumeShade::ChooseNodes(
       fast = each * nodes <= this->Goals.Milliseconds ? count : fast;
     }
     chosen = std::min(fast, chosen);
-    for (const auto& share : this->Shares)
+  }
+  while (chosen > NodeCounts[0] && this->CountBytes(sources, chosen) > this->MostBytes)
+  {
+    chosen /= 2;
+  }
+  this->WrongShare = -1.0;
+  for (const auto& share : this->Goals.Tolerance > 0.0 ? this->Shares : Estimates())
+  {
+    this->WrongShare = share.first == chosen ? share.second : this->WrongShare;
+  }
+  this->Chosen = chosen;
+  return chosen;
+}
+
+//------------------------------------------------------------------------------
+// Of the texture, which has room for the largest grid along each axis, for every light.
+double vtkRelievoVolumeShade::CountBytes(
+  const std::vector<vtkRelievoOpticalDepths::Source>& sources, int most) const
+{
+  glm::dvec3 size(0.0);
+  for (const vtkRelievoOpticalDepths::Source& source : sources)
+  {
+    vtkRelievoOpticalDepths depths;
+    depths.Lay(this->Fields, source, most);
+    for (int i = 0; i < 3; ++i)
     {
-      this->WrongShare = share.first == chosen ? share.second : this->WrongShare;
+      size[i] = std::max<double>(size[i], RoundUp(depths.GetSize()[i]));
     }
   }
-  return chosen;
+  return 2.0 * this->GetChannels() * size.x * size.y * size.z * static_cast<double>(sources.size());
 }
 
 //------------------------------------------------------------------------------
@@ -247,10 +277,20 @@ int vtkRelievoVolumeShade::ChooseNodes(
 // move. The last one is small enough, or the best.
 void vtkRelievoVolumeShade::EstimateShares(int limit)
 {
-  if (!this->Shares.empty())
+  // Estimates stay when the volumes only move together.
+  std::vector<std::uint64_t> state = { static_cast<std::uint64_t>(limit), this->Colored ? 1u : 0u,
+    static_cast<std::uint64_t>(1e6 * this->Goals.Tolerance) };
+  for (vtkRelievoPlacedVolume volume : this->Casters)
+  {
+    volume.ToWorld[3] -= glm::dvec4(glm::dvec3(this->Casters[0].ToWorld[3]), 0.0);
+    vtkRelievoVolumeExtinction::AddState(volume, this->Colored, state);
+  }
+  if (!this->Shares.empty() && state == this->SharesState)
   {
     return;
   }
+  this->Shares.clear();
+  this->SharesState = state;
   vtkRelievoOpticalDepths::Source source;
   source.Direction = glm::normalize(glm::dvec3(-0.31, -0.83, -0.47));
   // A share is found by at least a few wrong places.

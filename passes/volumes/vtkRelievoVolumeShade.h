@@ -49,12 +49,17 @@ public:
   };
   static constexpr double Slack = 0.02;
 
-  // The most nodes along an axis, without a goal.
-  void SetNodes(int most, const Goal& goal)
+  // The most nodes along an axis, without a goal. `varies`: the lights differ between the samples
+  // of one picture, which all have the grid that was chosen for the first.
+  void SetNodes(int most, const Goal& goal, bool varies = false)
   {
     this->Nodes = most;
     this->Goals = goal;
+    this->SourcesVary = varies;
   }
+
+  // Larger textures are refused; goals choose smaller ones. Default: 1 GiB.
+  void SetMostBytes(double bytes) { this->MostBytes = bytes; }
 
   // For each light that Update is given, the tangent of half the angle of its rays; 0 unless it is
   // a sun with a size.
@@ -96,6 +101,7 @@ public:
 private:
   int ChooseNodes(const std::vector<vtkRelievoOpticalDepths::Source>& sources, int limit);
   void EstimateShares(int limit);
+  double CountBytes(const std::vector<vtkRelievoOpticalDepths::Source>& sources, int most) const;
   int GetChannels() const { return this->Tinted ? 4 : 1; } // of a texel
   bool Allocate(int lights);
   bool Upload(std::size_t light);
@@ -107,9 +113,16 @@ private:
   Goal Goals;
   int NodesMade = 0;
   double WrongShare = -1.0;
-  double MillisecondsPerNode = 0.0;           // the latest; 0: unknown
-  std::vector<std::pair<int, double>> Shares; // expected, by the most nodes, of these fields
-  std::vector<std::uint64_t> State;           // of the fields and the settings
+  double MillisecondsPerNode = 0.0; // the latest; 0: unknown
+  double MostBytes = 1073741824.0;
+  bool SourcesVary = false;
+  using Estimates = std::vector<std::pair<int, double>>;
+  Estimates Shares;                       // expected, by the most nodes
+  std::vector<std::uint64_t> SharesState; // of the fields that they were estimated for
+  int Chosen = 0;                         // the most nodes, for the goals
+  std::vector<std::uint64_t> ChosenState; // what they were chosen for
+  std::vector<vtkRelievoOpticalDepths::Source> ChosenSources;
+  std::vector<std::uint64_t> State; // of the fields and the settings
   std::vector<vtkRelievoVolumeExtinction> Fields;
   std::string Fault;     // why this OpenGL refused them
   std::string NotTraced; // the volumes that cast none, with reasons

@@ -349,6 +349,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   }
   if (volumes.empty())
   {
+    in.Target.Release(context.Window);
     this->Explain("ran", "there are no volumes");
     return;
   }
@@ -360,6 +361,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   }
   if (!wrong.empty())
   {
+    in.Target.Release(context.Window);
     this->Explain("failed", wrong);
     reject(volumes.front(), wrong);
     return;
@@ -385,7 +387,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
       program->SetUniformi("relievoVolumeRule", this->Rule);
       program->SetUniformf("relievoVolumeThreshold", static_cast<float>(this->Opacity));
       program->SetUniformi("relievoVolumeLinear",
-        volume->GetProperty()->GetInterpolationType() == VTK_LINEAR_INTERPOLATION);
+        volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION);
       const glm::vec3 points(drawn.Points);
       program->SetUniform3f("relievoVolumePoints", &points[0]);
     };
@@ -504,16 +506,21 @@ std::string vtkRelievoVolumesStage::ReadLayers(
   Internals& in = *this->Internal;
   for (const std::string& name : names)
   {
+    const bool isOwn = name.compare(0, 6, "volume") == 0;
+    if (!isOwn && in.Volumes.empty())
+    {
+      return {}; // layers of surfaces alone
+    }
     const std::string wrong = this->Open(name);
     if (!wrong.empty())
     {
       return wrong;
     }
-    const bool isOwn = name.compare(0, 6, "volume") == 0;
     isOwn ? in.Reader->Read(name, image) : in.Reader->Amend(name, image);
     if (!isOwn)
     {
-      AddText(image, "depthOf", "surfaces and volumes");
+      AddText(
+        image, "depthOf", in.Wrong.empty() ? "surfaces and volumes" : "surfaces and some volumes");
     }
   }
   AddText(image, "volumeRule", in.RuleWords);

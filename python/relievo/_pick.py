@@ -3,6 +3,7 @@
 """What a pixel shows."""
 
 import math
+import operator
 from typing import Any, NamedTuple
 
 import numpy
@@ -46,6 +47,15 @@ class Picked(NamedTuple):
         return bool(self.kind)
 
 
+def _has_layers(renderer, size):
+    """Whether any volume has layers."""
+    try:
+        capture(renderer, ["volume_opacity"], size)
+    except ValueError:
+        return False
+    return True
+
+
 def pick(renderer, x, y, arrays=(), size=None) -> Picked:
     """What a pixel shows: the surface or the volume, its place, and values of the data there.
 
@@ -60,18 +70,31 @@ def pick(renderer, x, y, arrays=(), size=None) -> Picked:
     The place in a volume follows the rule of stage(renderer, "volumes", rule=..., opacity=...).
 
     Returns Picked, which is false where there is nothing. Raises as capture(), and ValueError for a
-    pixel outside the picture.
+    pixel outside the picture. If no volume has layers, only surfaces are found.
     """
     arrays = [arrays] if isinstance(arrays, str) else list(arrays)
     inside = inner_renderer(renderer)
     has_volumes = inside is not None and inside.GetVolumes().GetNumberOfItems() > 0
-    image = capture(renderer, _OF_SURFACES + (_OF_VOLUMES if has_volumes else []) + arrays, size)
+    of_surfaces = _OF_SURFACES + arrays
+    try:
+        x, y = operator.index(x), operator.index(y)
+    except TypeError as error:
+        raise ValueError(f"x, y: got {x}, {y}, expected whole numbers") from error
+    try:
+        image = capture(renderer, of_surfaces + (_OF_VOLUMES if has_volumes else []), size)
+    except ValueError:
+        if not has_volumes:
+            raise
+        image = capture(renderer, of_surfaces, size)
+        if _has_layers(renderer, size):
+            raise  # of volumes drawn in bricks, which have an opacity alone
+        has_volumes = False
     columns, rows, _ = image.GetDimensions()
     if not (0 <= x < columns and 0 <= y < rows):
         raise ValueError(f"x, y: got {x}, {y}, expected a pixel of {columns} x {rows}")
 
     def at(name):
-        return layer(image, name)[y, x]
+        return layer(image, name)[y, x].copy()
 
     opacity = float(at("volume_opacity")) if has_volumes else 0.0
     values = {name: at(name) for name in arrays}

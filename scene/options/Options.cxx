@@ -478,7 +478,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     "--shadow-tolerance, --time-budget or --layers is given; else 0: hard shadows)";
   rows.AddOfStage("--colored-shadows", "shadows", "colored_shadows",
     "Translucent meshes cast shadows too, and colour the light that passes them; needs "
-    "--shadows exact");
+    "--shadows exact, except for coloured volumes (--image volume), which then colour it");
   rows
     .AddOfStage("--shadow-tolerance S", "shadows", "tolerance", "-",
       [](const std::string& word) { return WriteNumber(ParseShare("--shadow-tolerance", word)); })
@@ -729,10 +729,10 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
       ": give --shadows map, --stage shadows, or a layer shadow_N, as well");
   }
   if (given.count("--colored-shadows") && options.ShadowMethod != Shadows::Exact &&
-    !SetsShadows(options, "method", "exact"))
+    options.Image.Is != ImageChoice::Kind::Volume && !SetsShadows(options, "method", "exact"))
   {
-    throw UsageError(
-      "--colored-shadows: shadow maps store no colour: give --shadows exact as well");
+    throw UsageError("--colored-shadows: shadow maps store no colour of surfaces: give --shadows "
+                     "exact as well, or a volume (--image volume)");
   }
   const bool sized =
     std::any_of(options.Lights.begin(), options.Lights.end(), [](const LightChoice& light) {

@@ -127,7 +127,8 @@ class Volumes(CliTest):
         pictures = {}
         for name, more in (("usual", []), ("fine", ["--volume-step", "0.05"]),
                            ("coarse", ["--volume-step", "2"]),
-                           ("bare", ["--shadows", "off"])):  # fmt: skip
+                           ("bare", ["--shadows", "off"]),
+                           ("tinted", ["--colored-shadows", "--shadows", "map"])):  # fmt: skip
             pictures[name] = self.picture(*words, *more, says="antialias")
         darker = (pictures["bare"] - pictures["usual"]).mean(axis=-1)
         self.assertGreater((darker > 15).sum(), 150)

@@ -38,8 +38,11 @@ RELIEVO_TEST_CASE(testBenchVolumes)
     const double exact = relievoTest::Value(rows[i + 6], "rms");
     RELIEVO_CHECK_THAT(rows[i + 6].at("method") == "exact", scene);
     RELIEVO_CHECK_AT_MOST(fine, coarse, scene + ": more nodes");
-    // Of the ball, the voxels' own error remains.
-    RELIEVO_CHECK_AT_MOST(exact, scene == "ball" ? 4e-3 : 1e-5, scene + ": rays in double");
+    // Rays in double are the truth of "waves". Of the ball, the voxels' own error remains.
+    if (scene != "waves")
+    {
+      RELIEVO_CHECK_AT_MOST(exact, scene == "ball" ? 4e-3 : 1e-5, scene + ": rays in double");
+    }
   }
   const auto frames = relievoTest::ReadCsv(folder + "/volume-frames.csv");
   RELIEVO_CHECK(frames.size() >= 3);

@@ -778,9 +778,17 @@ class Stages(unittest.TestCase):
         self.assertEqual([each["name"] for each in coco["categories"]], ["actor_0", "volume_0"])
         areas = {each["category_id"]: each["area"] for each in coco["annotations"]}
         self.assertEqual(areas[2], hit.sum())
-        with self.assertRaisesRegex(ValueError, "pinhole"):
-            relievo.write_dataset(
-                scene.renderer, [relievo.Equirectangular((64, 32))], folder, "npz")
+        with tempfile.TemporaryDirectory() as folder:
+            # Refused before the first view is drawn.
+            cameras = [camera, relievo.Equirectangular((64, 32))]
+            with self.assertRaisesRegex(ValueError, "view 1.*pinhole"):
+                relievo.write_dataset(scene.renderer, cameras, folder + "/a", "npz", size=SIZE)
+            self.assertFalse(pathlib.Path(folder, "a").exists())
+            # A volume takes the next number whose name no actor has.
+            relievo.write_dataset(scene.renderer, [camera], folder + "/b", "coco", size=SIZE,
+                                  names={0: "volume_0"})  # fmt: skip
+            coco = json.loads(pathlib.Path(folder, "b", "instances.json").read_text())
+        self.assertEqual([each["name"] for each in coco["categories"]], ["volume_0", "volume_1"])
 
     def test_pick(self):
         scene = self.box(0.3)
@@ -807,6 +815,39 @@ class Stages(unittest.TestCase):
         self.assertIsNone(found.prop)
         with self.assertRaisesRegex(ValueError, "x, y: got 64, 0"):
             relievo.pick(scene.renderer, 64, 0, size=SIZE)
+        with self.assertRaisesRegex(ValueError, "x, y: got 1.5, 0"):
+            relievo.pick(scene.renderer, 1.5, 0, size=SIZE)
+
+    def test_rejected_and_surfaces(self):
+        """Without a volume that has layers, surfaces are still found."""
+        average = vtkGPUVolumeRayCastMapper()
+        average.SetBlendModeToAverageIntensity()
+        scene = Scene(image_of(ball()), STEEP, mapper=average)
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-20, -20, -3)
+        plane.SetPoint1(60, -20, -3)
+        plane.SetPoint2(-20, 60, -3)
+        actor = add(scene.renderer, plane)
+        found = relievo.pick(scene.renderer, 32, 32, size=SIZE)
+        self.assertIs(found.prop, actor)
+        self.assertIsNone(found.position.base)
+        bricks = Scene(image_of(ball()), STEEP)
+        bricks.mapper.SetPartitions(1, 1, 2)
+        with self.assertRaisesRegex(ValueError, "bricks"):
+            relievo.pick(bricks.renderer, 32, 32, size=SIZE)
+        relievo.stage(scene.renderer, "volumes", solid=True)
+        image = relievo.capture(scene.renderer, ["depth"], size=SIZE)
+        numpy.testing.assert_allclose(relievo.layer(image, "depth"), 63, atol=1e-4)
+        self.assertIsNone(image.GetFieldData().GetAbstractArray("depthOf"))
+        # A frame in which fog needs the volumes' depth, but nobody the surfaces'.
+        scene = self.box(0.3)
+        relievo.stage(scene.renderer, "volumes", solid=True)
+        window = window_of(scene.renderer, *SIZE)
+        frame = relievo.attach(scene.renderer)
+        frame.RequestLayer("volume_depth")
+        frame.RequestLayer("normal")
+        window.Render()
+        self.assertIn("RequestLayer", frame.TryReadLayers(["depth"], vtkImageData()))
 
     def test_fog(self):
         """Fog in front of a volume covers it, fog behind does not."""

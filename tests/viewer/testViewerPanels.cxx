@@ -306,16 +306,13 @@ private Q_SLOTS:
         QVERIFY2(label->buddy() != edit || label->isEnabled() != idle, name);
       }
     };
-    check("shadows", "colored_shadows", true, "where Method is exact");
     check("tone", "white", true, "where Operator is not simple");
     check("colors", "component", true, "Has an effect on arrays");
     check("material", "depth", true, "height map");
     this->Change([](scene::Settings& settings) {
-      settings.SetParameter("shadows", "method", "exact");
       settings.SetParameter("tone", "operator", "reinhard");
       settings.Set("--color-by", "Normals");
     });
-    check("shadows", "colored_shadows", false, "where Method is exact");
     check("tone", "white", false, "where Operator is not simple");
     check("colors", "component", false, "Has an effect on arrays");
   }

@@ -59,14 +59,22 @@ std::vector<ProbeValue> Probe::Read(
     vtkDataArray* depth = this->Image->GetPointData()->GetArray(layer);
     return !depth || !std::isfinite(depth->GetComponent(pixel, 0));
   };
-  const bool background = isBackground("depth");
+  const bool empty = isBackground("depth");
   const bool beside = isBackground("volume_depth");
+  // With `solid` of the stage volumes, depth, range and position are a volume's where it is nearer.
+  vtkDataArray* actors = this->Image->GetPointData()->GetArray("actor");
+  const bool background = empty || (!beside && actors && actors->GetComponent(pixel, 0) < 0.0);
+  const auto isOfBoth = [](const std::string& layer) {
+    return layer == "depth" || layer == "range" || layer == "position";
+  };
   for (const std::string& layer : layers)
   {
     if (vtkDataArray* array = this->Image->GetPointData()->GetArray(layer.c_str()))
     {
       ProbeValue value = { layer, {},
-        relievoQt::IsOfVolume(layer) ? beside && layer != "volume_opacity" : background };
+        relievoQt::IsOfVolume(layer) ? beside && layer != "volume_opacity"
+          : isOfBoth(layer)          ? empty
+                                     : background };
       for (int i = 0; i < array->GetNumberOfComponents(); ++i)
       {
         value.Values.push_back(array->GetComponent(pixel, i));

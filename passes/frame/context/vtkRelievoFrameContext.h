@@ -65,6 +65,9 @@ public:
   // Layers to be read back, too, if the other outputs need their stages.
   std::vector<std::string> OptionalLayers;
 
+  // Stages may amend layers of others.
+  bool Amends = true;
+
   // The linear colour is read as a layer, by the user or by a stage that shows it.
   bool ReadsColor = false;
 

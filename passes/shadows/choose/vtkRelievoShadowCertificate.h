@@ -7,9 +7,9 @@
  * A verdict states whether one pixel is lit by one light. It is compared with a ray from the
  * pixel's surface to the light, in double precision, past the casters' own triangles: it is wrong
  * if the layer shadow_N is on the other side of one half, or, with attenuating translucent casters,
- * off by more than 0.02. Volumes dim
- * the light: the share that passes them is traced in double through their scalars and opacity
- * functions, and the verdict is also wrong if the layer is off by more than 0.02 from it.
+ * off by more than 0.02. Volumes dim the light: the share that passes them is traced in double
+ * through their scalars and opacity functions, and the verdict is also wrong if the layer is off by
+ * more than 0.02 from it.
  *
  * Counted separately, and not part of any share:
  * - ties: within the pixel's own rounding, 1/256 of a pixel in each direction, OpenGL's step for

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowCertifier.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -85,10 +86,13 @@ std::string DrawLayers(vtkRenderer* renderer, vtkRelievoFramePass* frame,
   }
   const bool layersOnly = frame->GetLayersOnly();
   frame->SetLayersOnly(true);
+  const bool amends = frame->GetAmends();
+  frame->SetAmends(false); // shadows fall on surfaces
   renderer->GetRenderWindow()->Start();
   renderer->Render();
   frame->SetLayersOnly(layersOnly);
   std::string fault = frame->TryReadLayers(layers, image);
+  frame->SetAmends(amends);
   renderer->GetRenderWindow()->End();
   for (const std::string& layer : added)
   {
@@ -133,10 +137,11 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
   layers.emplace_back(DepthLayer);
   vtkNew<vtkImageData> image;
   vtkNew<vtkImageData> dimmed;
-  const bool volumes = picture.Work.Shade.IsMade();
-  picture.Work.WithoutVolumes = volumes;
+  picture.Work.WithoutVolumes = true;
   fault = DrawLayers(picture.Renderer, picture.Frame, layers, image);
   picture.Work.WithoutVolumes = false;
+  // Processes draw together: all of them twice, whoever has the volumes.
+  const bool volumes = picture.Work.Others.IsOn() || !picture.Work.Props.GetVolumeCasters().empty();
   if (fault.empty() && volumes)
   {
     fault = DrawLayers(picture.Renderer, picture.Frame, layers, dimmed);
@@ -197,12 +202,20 @@ void vtkRelievoShadowCertifier::AddVolumes(const vtkRelievoShadowProps& props)
     {
       this->Volumes.push_back(field);
     }
-    const double* bounds = placed.Volume->GetBounds();
-    if (!why.empty() && bounds)
+    vtkAbstractVolumeMapper* mapper = placed.Volume->GetMapper();
+    const double* bounds = mapper ? mapper->GetBounds() : placed.Volume->GetBounds();
+    if (!why.empty() && bounds && bounds[0] <= bounds[1])
     {
+      // A volume without a mapper, as a vtkMultiVolume, has bounds in the world.
+      const glm::dmat4 toWorld = mapper ? placed.ToWorld : glm::dmat4(1.0);
       vtkRelievoBox box;
-      box.Min = glm::dvec3(bounds[0], bounds[2], bounds[4]);
-      box.Max = glm::dvec3(bounds[1], bounds[3], bounds[5]);
+      for (int i = 0; i < 8; ++i)
+      {
+        const glm::dvec3 corner(
+          toWorld * glm::dvec4(bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)], 1.0));
+        box.Min = i == 0 ? corner : glm::min(box.Min, corner);
+        box.Max = i == 0 ? corner : glm::max(box.Max, corner);
+      }
       this->Unfollowed.push_back(box);
     }
   }

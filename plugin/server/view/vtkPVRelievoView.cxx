@@ -385,13 +385,15 @@ bool vtkPVRelievoView::ReadShownLayer(const char* name, vtkImageData* image)
   std::vector<std::string> names = { name };
   if (vtkRelievoLayerCatalogue::GetIsOfLight(name))
   {
-    names.emplace_back("depth"); // distinguishes the background
+    names.emplace_back("depth");             // distinguishes the background
+    this->Internal->Frame->SetAmends(false); // of surfaces, which shadows fall on
   }
   // If a server draws, this process draws a frame too, without surfaces.
   const bool good = this->IsInPlace() &&
     !vtkPVRelievoAccess::View::IsDrawnElsewhere(this->Internal->View) &&
     this->Internal->Frame->GetLayersStage()->GetHoldsLayers() &&
     this->Internal->Frame->TryReadLayers(names, image).empty();
+  this->Internal->Frame->SetAmends(true);
   if (!good)
   {
     image->Initialize();
