@@ -296,14 +296,14 @@ vtkRelievoCover::vtkRelievoCover()
     "How many places to choose.");
   list.AddWhole(
     "times", this->Times, [this](int times) { this->SetTimes(times); }, 1, 16, "",
-    "How many of them should see each cell.");
+    "How many chosen places should see each cell.");
   list.AddNumber(
     "farthest_distance", this->FarthestDistance,
     [this](double distance) { this->SetFarthestDistance(distance); }, 0.0, infinity, "",
     "The largest distance at which a cell is seen, in world units; 0: any.");
   list.AddNumber(
     "largest_angle", this->LargestAngle, [this](double degrees) { this->SetLargestAngle(degrees); },
-    1.0, 90.0, "degrees", "The largest angle between sight and the cell's normal.");
+    1.0, 90.0, "degrees", "The largest angle between the line of sight and the cell's normal.");
   list.AddNumber(
     "view_angle", this->ViewAngle, [this](double degrees) { this->SetViewAngle(degrees); }, 1.0,
     360.0, "degrees", "The full angle of the cone that a camera sees; 360: everything.");

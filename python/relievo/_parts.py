@@ -19,9 +19,9 @@ _WITH_PARTS = ("dataset", "sun", "visible")
 class Part:
     """One of the equal shares of a job, made by parts(): part `number`, from 1, of `count`.
 
-    Calling it computes it, in a process of its own, and returns the paths of its files; a part
+    Calling a part computes it, in a process of its own, and returns the paths of its files; a part
     that is complete only returns them. It can be pickled, and be called on any machine that has
-    the files: its words name files relative to `folder`.
+    the files: `words`, the call of the command, names files relative to `folder`.
     """
 
     words: tuple
@@ -40,7 +40,7 @@ class Part:
 
     @property
     def directory(self) -> str:
-        """The folder of all parts, which merge(), verify() and status() take."""
+        """The folder of all parts, which merge(), verify() and `relievo status` take."""
         name = _output(self.words)
         path = pathlib.Path(self.folder, name if self.words[0] == "dataset" else f"{name}.parts")
         return str(path)
@@ -73,13 +73,14 @@ def parts(job, n) -> list[Part]:
                 part.result()
         town = relievo.merge(parts)
 
-    job: the words of `relievo dataset`, `sun` or `visible`, as a text (as in a shell) or a list,
-        without the program's name. Files are relative to the folder in which parts() is called.
-    n: number of parts, from 1; a part without work only says so.
+    job: a call of `relievo dataset`, `sun` or `visible` without the program's name, as one text
+        (as in a shell) or a list of words. Files are relative to the folder in which parts() is
+        called.
+    n: number of parts, from 1. If n is larger than the number of items, some parts have no work.
 
     Parts can be pickled: concurrent.futures, joblib, dask.distributed and submitit take them as
-    functions without arguments. What merge() makes of them does not depend on n, nor on the order
-    in which they ran. Raises ValueError for wrong arguments.
+    functions without arguments. The result of merge() does not depend on n, nor on the order in
+    which the parts ran. Raises ValueError for wrong arguments.
     """
     words = tuple(shlex.split(job)) if isinstance(job, str) else tuple(map(os.fspath, job))
     if not words or words[0] not in _WITH_PARTS:
@@ -93,7 +94,7 @@ def parts(job, n) -> list[Part]:
 def merge(parts) -> str:
     """Joins the parts of a job, and returns the path of the result: the file, or the data set.
 
-    parts: parts from parts(), all complete; or the folder of the parts.
+    parts: the list from parts(), all of them complete; or the folder of the parts.
 
     The result is that of a single process, byte for byte. Raises ValueError for wrong arguments,
     RuntimeError if parts are missing or damaged.
@@ -108,8 +109,9 @@ def verify(parts) -> str:
 
     parts: as for merge().
 
-    Returns "" if all is whole, otherwise a text that lists what is missing, damaged, or made by
-    another version. Raises ValueError for wrong arguments.
+    Returns "" if everything is complete, otherwise a text that lists parts that are missing,
+    damaged, or made by another version. Raises ValueError for wrong arguments, RuntimeError if
+    the folder cannot be checked.
     """
     done = _run(["verify", _directory(parts)], good=(0, 3))
     return done.stdout if done.returncode == 3 else ""

@@ -54,12 +54,12 @@ public:
   CoverCommand()
     : Command("cover", "FILE...",
         "cover chooses, among candidate places of cameras, those from which most of a mesh is "
-        "seen, "
-        "and writes the mesh with the arrays covered and candidates, the numbers of chosen and of "
-        "all places that see each cell. The first FILE is the mesh, the others hide it.")
+        "seen, and writes the mesh with the arrays covered and candidates, the numbers of chosen "
+        "and of all places that see each cell. The first FILE is the mesh, the others hide it.")
   {
     vtkRelievoOption& candidates = this->AddWord("--candidates FILE",
-      "the points of this mesh are the candidates; its normals are the directions of cameras",
+      "the points of this mesh are the candidates; its point vectors, or else its normals, are the "
+      "directions of cameras",
       this->Candidates);
     candidates.Missing = "no candidates; give --candidates FILE";
     this->AddMeshOptions(".vtp");
