@@ -4,6 +4,7 @@
 
 import dataclasses
 import json
+import operator
 import os
 import pathlib
 import shlex
@@ -35,7 +36,8 @@ class Part:
         Returns the paths of its files. Raises ValueError for invalid words, RuntimeError if the
         work fails.
         """
-        _run([*self.words, f"--part={self.number}/{self.count}"], self.folder)
+        command, *words = self.words
+        _run([command, f"--part={self.number}/{self.count}", *words], self.folder)
         return self.files()
 
     @property
@@ -49,7 +51,8 @@ class Part:
         """The paths of the files that this part has written so far."""
         top = pathlib.Path(self.directory)
         if self.words[0] == "dataset":
-            views = json.loads((top / "dataset.json").read_text("utf-8"))["views"]
+            settings = top / "dataset.json"
+            views = json.loads(settings.read_text("utf-8"))["views"] if settings.exists() else 0
             share, rest = divmod(views, self.count)
             first, end = (n * share + min(n, rest) for n in (self.number - 1, self.number))
             records = [top / "views" / f"{view:06d}.json" for view in range(first, end)]
@@ -58,7 +61,8 @@ class Part:
         paths = []
         for record in records:
             if record.exists():
-                paths += [top / name for name in json.loads(record.read_text("utf-8"))["files"]]
+                names = json.loads(record.read_text("utf-8"))["files"]
+                paths += [top / name for name in names if _is_within(top / name, top)]
                 paths.append(record)
         return [str(path) for path in paths]
 
@@ -68,7 +72,7 @@ def parts(job, n) -> list[Part]:
 
         job = "sun town.obj --place 48.2,16.4 --dates 2026-06-21 -o town.vtp"
         parts = relievo.parts(job, 8)
-        with concurrent.futures.ProcessPoolExecutor() as pool:
+        with concurrent.futures.ThreadPoolExecutor() as pool:
             for part in [pool.submit(part) for part in parts]:
                 part.result()
         town = relievo.merge(parts)
@@ -82,13 +86,20 @@ def parts(job, n) -> list[Part]:
     functions without arguments. The result of merge() does not depend on n, nor on the order in
     which the parts ran. Raises ValueError for wrong arguments.
     """
-    words = tuple(shlex.split(job)) if isinstance(job, str) else tuple(map(os.fspath, job))
+    try:
+        words = tuple(shlex.split(job)) if isinstance(job, str) else tuple(map(os.fspath, job))
+    except TypeError:
+        words = ()
     if not words or words[0] not in _WITH_PARTS:
         raise ValueError(f"job: got {job!r}, expected the words of {', '.join(_WITH_PARTS)}")
     _output(words)
-    if not isinstance(n, int) or isinstance(n, bool) or n < 1:
+    try:
+        count = 0 if isinstance(n, bool) else operator.index(n)
+    except TypeError:
+        count = 0
+    if count < 1:
         raise ValueError(f"n: got {n!r}, expected a whole number from 1")
-    return [Part(words, os.getcwd(), number, n) for number in range(1, n + 1)]
+    return [Part(words, os.getcwd(), number, count) for number in range(1, count + 1)]
 
 
 def merge(parts) -> str:
@@ -100,8 +111,9 @@ def merge(parts) -> str:
     RuntimeError if parts are missing or damaged.
     """
     directory = _directory(parts)
-    _run(["merge", directory])
-    return directory.removesuffix(".parts")
+    _run(["merge", "--", directory])
+    is_mesh = pathlib.Path(directory, "parts.json").exists()
+    return directory.removesuffix(".parts") if is_mesh else directory
 
 
 def verify(parts) -> str:
@@ -113,25 +125,31 @@ def verify(parts) -> str:
     damaged, or made by another version. Raises ValueError for wrong arguments, RuntimeError if
     the folder cannot be checked.
     """
-    done = _run(["verify", _directory(parts)], good=(0, 3))
+    done = _run(["verify", "--", _directory(parts)], good=(0, 3))
     return done.stdout if done.returncode == 3 else ""
 
 
 def _directory(parts):
     if isinstance(parts, (str, os.PathLike)):
-        return os.fspath(parts)
-    parts = list(parts)
-    wrong = [part for part in parts if not isinstance(part, Part)]
-    if not parts or wrong:
-        raise ValueError(f"parts: got {describe(wrong[0] if wrong else parts)}, expected what "
-                         "parts() returns, or a folder")
-    return parts[0].directory
+        return os.fspath(pathlib.Path(parts))  # without a slash at the end
+    parts = list(parts) if hasattr(parts, "__iter__") else [parts]
+    folders = {part.directory if isinstance(part, Part) else None for part in parts}
+    if len(folders) != 1 or None in folders:
+        raise ValueError(f"parts: got {describe(parts)}, expected the parts of one job, from "
+                         "parts(), or a folder")
+    return folders.pop()
+
+
+def _is_within(path, top):
+    return path.resolve().is_relative_to(top.resolve())
 
 
 def _output(words):
     """The value of the option for the output."""
     name = "--out" if words[0] == "dataset" else "-o"
     for at, word in enumerate(words):
+        if word == "--":
+            break
         if word == name and at + 1 < len(words):
             return words[at + 1]
         if word.startswith(f"{name}="):

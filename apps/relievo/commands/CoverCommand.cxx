@@ -32,19 +32,29 @@ vtkSmartPointer<vtkPolyData> ReadCandidates(
   scene::CheckReadable(file);
   scene::CheckExtension(file);
   scene::ReadContext context(progress, folders);
-  auto candidates = vtkSmartPointer<vtkPolyData>::New();
-  scene::ForEachDataSet(scene::ReadPoints(file, context), [&candidates](vtkDataSet* data) {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetName("directions");
+  directions->SetNumberOfComponents(3);
+  scene::ForEachDataSet(scene::ReadPoints(file, context), [&](vtkDataSet* data) {
+    vtkPointData* arrays = data->GetPointData();
+    vtkDataArray* given = arrays->GetVectors() ? arrays->GetVectors() : arrays->GetNormals();
     for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
     {
       points->InsertNextPoint(data->GetPoint(i));
+      if (given)
+      {
+        directions->InsertNextTuple(given->GetTuple(i));
+      }
     }
-    candidates->SetPoints(points);
-    vtkPointData* arrays = data->GetPointData();
-    candidates->GetPointData()->SetVectors(
-      arrays->GetVectors() ? arrays->GetVectors() : arrays->GetNormals());
   });
+  auto candidates = vtkSmartPointer<vtkPolyData>::New();
+  candidates->SetPoints(points);
+  if (directions->GetNumberOfTuples() == points->GetNumberOfPoints()) // in all blocks
+  {
+    candidates->GetPointData()->SetVectors(directions);
+  }
   return candidates;
 }
 
