@@ -11,7 +11,9 @@ if (RELIEVO_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
 endif ()
 # Sources that are compiled several at once are included by absolute paths, which __FILE__ would contain:
 # then a copy of the tree finds none of them in the cache.
-if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag("-fmacro-prefix-map=/a/=" RELIEVO_HAS_MACRO_PREFIX_MAP) # GCC 8, Clang 10
+if (RELIEVO_HAS_MACRO_PREFIX_MAP)
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=>")
 endif ()
 
@@ -32,7 +34,6 @@ function (relievo_relative_autoinit)
 endfunction ()
 
 # Layers by rays are the same bytes on every processor: no fused products and sums in these modules.
-include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag(-ffp-contract=off RELIEVO_HAS_FP_CONTRACT)
 function (relievo_round_each_operation module)
   if (RELIEVO_HAS_FP_CONTRACT)

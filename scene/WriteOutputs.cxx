@@ -330,9 +330,10 @@ void WritePNG(const Scene& scene, vtkImageData* picture, bool isEmpty, const Ren
   }
   else if (isEmpty)
   {
-    Messages::Note(options.PNG +
-      ": shows only the background: everything else is out of view, thinner than a pixel, "
-      "or has the background's colour");
+    Messages::Note(options.PNG + ": shows only the background: " +
+      (options.Look.Opacity == 0.0 ? "--opacity 0 makes surfaces invisible"
+                                   : "everything else is out of view, thinner than a pixel, or has "
+                                     "the background's colour"));
   }
 }
 
@@ -517,7 +518,7 @@ vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* p
       drawn = options.WantsPicture() ? Grab(renderer) : nullptr;
     }
     Messages::Check(what);
-    isEmpty = isEmpty && drawn && ShowsNothing(window, drawn, options);
+    isEmpty = isEmpty && !options.PNG.empty() && drawn && ShowsNothing(window, drawn, options);
     for (int i = 0; pass && i < pass->GetNumberOfStages(); ++i)
     {
       if (pass->GetStage(i)->GetReasonCode() == "ran")
@@ -722,6 +723,12 @@ RenderOptions FollowProgram(RenderOptions options)
   if (options.PNG.empty())
   {
     options.PNG = std::filesystem::path(film).replace_extension().string() + "_%04d.png";
+    if (GetFrameName(options.PNG, 0).empty())
+    {
+      throw UsageError("--video " + film +
+        ": the program ffmpeg is not installed, and the frames cannot be named " + options.PNG +
+        ": give --png F with %d or %04d once");
+    }
   }
   Messages::Note("--video " + film + ": the program ffmpeg is not installed: the frames are in " +
     GetFrameName(options.PNG, 0) + " and so on; where it is, `ffmpeg -framerate " +
@@ -734,7 +741,7 @@ RenderOptions FollowProgram(RenderOptions options)
 std::unique_ptr<Outputs> OpenOutputs(
   const RenderOptions& options, const std::vector<std::string>& inputs)
 {
-  if (!options.Motion.Video.empty())
+  if (!options.Motion.Video.empty() && IsSequence(options)) // not for each frame
   {
     Outputs().Add("--video", options.Motion.Video, inputs); // checks the place
   }

@@ -52,6 +52,7 @@ struct vtkRelievoScene::Internals : public scene::ProgressListener
   void MakeWindow();
   void Read(scene::Progress& progress);
   void Update(scene::Progress& progress, int bandRows = 0);
+  void EndBands();
   scene::Bands GetBands() const
   {
     return { this->Options.Size, this->IsOwnWindow ? this->BandRows : 0 };
@@ -65,7 +66,7 @@ struct vtkRelievoScene::Internals : public scene::ProgressListener
   bool IsOwnWindow = false;
   std::exception_ptr NoWindow;     // why no window could be made while reading a file
   std::array<int, 2> Size{};       // size given to the own window
-  int BandRows = 0;                // of the last Update(); 0: the whole picture
+  int BandRows = 0;                // while bands are drawn; 0: the whole picture
   std::string ReadingKey;          // of the files read; empty: none
   bool Played = false;             // a sequence has moved the models from the time of reading
   std::vector<std::string> Opened; // while reading
@@ -87,6 +88,12 @@ auto OnFiles(Work work)
   {
     throw scene::FileError(error.what());
   }
+}
+
+bool IsTiled(vtkRenderWindow* window)
+{
+  const int* scale = window->GetTileScale();
+  return scale[0] > 1 || scale[1] > 1;
 }
 }
 
@@ -271,7 +278,6 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress, int bandRows)
   {
     throw scene::UsageError("there is no file to show: give one among the words");
   }
-  const bool wasInBands = this->BandRows > 0;
   this->BandRows = bandRows;
   this->Read(progress);
   this->Options = scene::FollowFile(this->Options, this->Dressed.GetScene());
@@ -291,7 +297,7 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress, int bandRows)
   {
     this->Window->AddRenderer(renderer);
   }
-  if (this->IsOwnWindow && (wasInBands || bandRows > 0))
+  if (this->IsOwnWindow && (bandRows > 0 || IsTiled(this->Window)))
   {
     this->GetBands().SetTiles(this->Window, renderer);
   }
@@ -299,6 +305,27 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress, int bandRows)
   if (!this->Options.View.Place && this->Options.Model.Times.size() > 1)
   {
     scene::FitTimes(this->Dressed.GetScene(), this->Options, progress);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The window and the renderer draw the whole picture again. Where OpenGL cannot, the window keeps
+// its tiles until an Update() of a smaller picture.
+void vtkRelievoScene::Internals::EndBands()
+{
+  vtkRenderer* renderer = this->Dressed.GetRenderer();
+  if (std::exchange(this->BandRows, 0) == 0 || !this->IsOwnWindow || !renderer)
+  {
+    return;
+  }
+  renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
+  try
+  {
+    this->MakeWindow();
+    this->GetBands().SetTiles(this->Window, renderer);
+  }
+  catch (const std::exception&) // too large
+  {
   }
 }
 
@@ -329,6 +356,11 @@ bool vtkRelievoScene::Write()
       this->Internal->Options = OnFiles([&options] { return scene::FollowLens(options); });
     }
     scene::Progress progress(this->Internal.get());
+    const struct Afterwards
+    {
+      Internals& In;
+      ~Afterwards() { this->In.EndBands(); }
+    } afterwards{ *this->Internal };
     this->Internal->Update(progress, scene::ChooseBandRows(options, this->BandRows));
     this->Internal->Played = options.Model.Times.size() > 1;
     const std::vector<std::string>& opened = this->Internal->Opened;

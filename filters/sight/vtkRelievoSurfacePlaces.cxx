@@ -38,8 +38,8 @@ struct vtkRelievoSurfacePlaces::Triangle
     }
   }
 
-  // Whether a line along a normal through a position hits the triangle. The middle of a quad lies on
-  // the edge between its triangles, but for rounding.
+  // Whether a line along a normal through a position hits the triangle. The middle of a quad lies
+  // on the edge between its triangles, but for rounding.
   bool IsBelow(const Vector& place, const Vector& normal) const
   {
     constexpr double rounding = 1e-12;

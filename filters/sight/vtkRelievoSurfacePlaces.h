@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The positions at which rays evaluate a mesh, in front of it by 1e-7 of its size, and their normals.
+// The positions at which rays evaluate a mesh, in front of it by 1e-7 of its size, and their
+// normals.
 #ifndef vtkRelievoSurfacePlaces_h
 #define vtkRelievoSurfacePlaces_h
 

@@ -39,12 +39,16 @@ struct vtkRelievoEXRWriter::Internals
   {
     Unfinished(const char* name, vtkImageData* image, const Output::Settings& settings, int height)
       : File(image, settings, height)
+      , Name(name)
+      , Height(height)
     {
       this->Stream = std::make_unique<OutputStream>(name);
       this->File.Begin(*this->Stream);
     }
     std::unique_ptr<OutputStream> Stream;
     Output File; // uses the stream even when it is destroyed
+    std::string Name;
+    int Height;
   };
 
   Output::Settings Settings;
@@ -244,14 +248,20 @@ int vtkRelievoEXRWriter::RequestData(
 //------------------------------------------------------------------------------
 int vtkRelievoEXRWriter::WriteRows(vtkImageData* image, int lowest, int count, int height)
 {
-  if (!image || lowest < 0 || count < 1 || count > height ||
+  const std::unique_ptr<Internals::Unfinished>& begun = this->Internal->Rows;
+  const bool isOther =
+    begun && (begun->Height != height || begun->Name != (this->FileName ? this->FileName : ""));
+  if (!image || isOther || lowest < 0 || count < 1 || count > height ||
     lowest > image->GetDimensions()[1] - count)
   {
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro("WriteRows was given "
-      << (image ? "rows that the image or the picture does not have; give it the lowest one of the "
-                  "image's rows, their number, and the picture's height."
-                : "no image; give it a vtkImageData."));
+    vtkErrorMacro(
+      "WriteRows was given " << (!image ? "no image; give it a vtkImageData."
+          : isOther ? "another height or file name than for the picture's first rows; give it the "
+                      "same ones for all rows."
+                    : "rows that the image or the picture does not have; give it the lowest one "
+                      "of the image's rows, their number, and the picture's height."));
+    this->Internal->Rows.reset();
     return 0;
   }
   this->SystemError = 0;

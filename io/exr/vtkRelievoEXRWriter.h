@@ -148,8 +148,8 @@ public:
    * Writes a picture in parts: `count` rows of the image, of which `lowest` is the lowest one, are
    * the next rows of a picture of `height` rows, from the top. The first call makes the file, with
    * the image's field data; the last one, which brings the rows to `height`, completes it. All
-   * images have the same arrays and width. Returns 1, or 0 after an error or an abort, which ends
-   * the picture.
+   * images have the same arrays and width; all calls have the same height and file name. Returns 1,
+   * or 0 after an error or an abort, which ends the picture.
    */
   virtual int WriteRows(vtkImageData* image, int lowest, int count, int height);
 

@@ -62,6 +62,10 @@ CameraPlace FitTurn(vtkRenderer* renderer, const CameraPlace& view, int up, cons
         std::max(distance, near + std::max(std::abs(right) / wide, std::abs(above) / opening));
     }
   }
+  if (!(distance > 0.0)) // a point
+  {
+    return view;
+  }
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     fitted.Position[axis] = fitted.FocalPoint[axis] + distance * towards[axis];

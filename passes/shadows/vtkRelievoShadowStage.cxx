@@ -27,6 +27,7 @@
 #include "vtkRelievoShadowUniforms.h"
 #include "vtkRelievoShadowVolumes.h"
 #include "vtkRelievoSoftLights.h"
+#include "vtkRelievoTiles.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
@@ -241,6 +242,7 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   this->NumberOfMapsDrawn = 0;
   in.Maps.Work.View = context.View;
   in.Maps.Work.BackgroundRise = vtkRelievoShadowCatcher::GetRise(context.Renderer);
+  in.Maps.Work.TileToPicture = vtkRelievoGetTileToPicture(context.Renderer);
   in.Maps.Work.SteadyView = context.SteadyView;
   in.Casters.Props.SetAttenuates(this->ColoredShadows);
   in.Casters.Props.Collect(context.Renderer, context.Scene.Props);

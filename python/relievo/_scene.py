@@ -168,10 +168,19 @@ class Scene:
         if camera_path is None or isinstance(camera_path, (bytes, str, os.PathLike)):
             self._write({**outputs, "camera_path": camera_path})
             return
+        try:
+            keys = [_key(seconds, view) for seconds, view in camera_path]
+        except (TypeError, ValueError):
+            keys = []
+        if len(keys) < 2:
+            raise ValueError(
+                f"camera_path: got {camera_path!r}, expected a path or at least two pairs "
+                "(seconds, view), each view a vtkCamera or (position, focal point, up direction)"
+            )
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "path.json")
             with open(path, "w", encoding="utf-8") as file:
-                json.dump({"keys": [_key(*pair) for pair in camera_path]}, file)
+                json.dump({"keys": keys}, file)
             self._write({**outputs, "camera_path": path})
 
     def _write(self, outputs):
@@ -179,7 +188,8 @@ class Scene:
         self._say({**self._options, **outputs})
         self._check_files(self._options)
         self._run(self._scene.Write)
-        self._stale = False
+        # A picture drawn in bands may be too large for the window.
+        self._stale = self._scene.GetRenderWindow().GetTileScale() != (1, 1)
 
     def capture_baseline(self, image: Any, portable: bool = False) -> None:
         """Draws what write_baseline() writes into a vtkImageData."""

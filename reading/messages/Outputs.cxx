@@ -117,6 +117,10 @@ std::string Outputs::Temporary(const std::string& path) const
 {
   const auto entry = std::find_if(this->Entries.begin(), this->Entries.end(),
     [&path](const Entry& candidate) { return candidate.Given == path; });
+  if (entry == this->Entries.end())
+  {
+    throw WorkError(path + ": is no output of this run; please report this");
+  }
   return entry->Temporary;
 }
 

@@ -41,6 +41,7 @@ std::string FindWhole(const RenderOptions& options)
     : !options.Report.empty()                ? "--report"
     : options.Certify                        ? "--certify"
     : options.Look.Grid                      ? "--grid"
+    : options.Look.PointSize > 2 * Margin    ? "--point-size"
     : flows                                  ? "the layer flow"
     : has("tone", "auto_exposure") == "on"   ? "the automatic exposure of tone"
     : !has("display", "layer").empty()       ? "a layer that is shown in colours"

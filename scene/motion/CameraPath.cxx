@@ -21,6 +21,8 @@ namespace
 {
 using Three = std::array<double, 3>;
 
+constexpr int MostFrames = 1000000;
+
 constexpr const char* Names[] = { "position", "focal_point", "view_up" };
 constexpr const char* Columns = "time,px,py,pz,fx,fy,fz,ux,uy,uz";
 
@@ -67,7 +69,7 @@ double FindSlope(double before, double after, double spanBefore, double spanAfte
 
 // A derivative with which the curve stays between the keys' values: F. N. Fritsch and J. Butland, A
 // method for constructing local monotone piecewise cubic interpolants, 1984.
-double FindTameSlope(double before, double after, double spanBefore, double spanAfter)
+double FindMonotoneSlope(double before, double after, double spanBefore, double spanAfter)
 {
   if (before * after <= 0.0)
   {
@@ -322,11 +324,11 @@ CameraPlace CameraPath::Find(double time) const
     towards[axis] =
       interpolate([&](const CameraPlace& p) { return direction(p)[axis]; }, FindSlope);
     view.ViewUp[axis] =
-      interpolate([axis](const CameraPlace& p) { return Unit(p.ViewUp)[axis]; }, FindTameSlope);
+      interpolate([axis](const CameraPlace& p) { return Unit(p.ViewUp)[axis]; }, FindMonotoneSlope);
   }
   const double distance = std::exp(interpolate(
     [](const CameraPlace& p) { return std::log(Length(Minus(p.Position, p.FocalPoint))); },
-    FindTameSlope));
+    FindMonotoneSlope));
   view.Position = Plus(view.FocalPoint, Scaled(Unit(towards), distance));
   view.ViewUp = Unit(view.ViewUp);
   return view;
@@ -338,8 +340,13 @@ std::vector<double> CameraPath::GetTimes(double framesPerSecond) const
   const double first = this->Keys.front().Time;
   const double length = (this->Keys.back().Time - first) * framesPerSecond;
   // Includes the end despite rounding; on a closed path it is the first view again.
-  const auto frames =
-    static_cast<int>(this->IsClosed() ? std::ceil(length - 1e-9) : std::floor(length + 1e-9) + 1.0);
+  const double frames =
+    this->IsClosed() ? std::ceil(length - 1e-9) : std::floor(length + 1e-9) + 1.0;
+  if (!(frames >= 1.0 && frames <= MostFrames))
+  {
+    throw UsageError("--camera-path: the views' times, in seconds, and --fps give " +
+      WriteNumber(frames) + " frames, expected 1 to " + std::to_string(MostFrames));
+  }
   std::vector<double> times;
   for (int i = 0; i < frames; ++i)
   {

@@ -58,7 +58,7 @@ std::vector<std::string> GetWords(const std::string& path, const std::string& na
     "-color_trc", "iec61966-2-1", "-color_range", "tv", "-movflags", "+faststart", "-f", "mp4" };
   const std::vector<std::string>& own = ExtensionOf(name) == VideoFile::FFV1 ? lossless : common;
   words.insert(words.end(), own.begin(), own.end());
-  words.push_back(path);
+  words.push_back("file:" + path); // a colon in the path begins no protocol
   return words;
 }
 }
@@ -179,6 +179,7 @@ void VideoFile::Add(vtkImageData* picture)
     const ssize_t some = send(this->Pipe, frame.data() + sent, frame.size() - sent, MSG_NOSIGNAL);
     if (some < 0 && errno != EINTR)
     {
+      Close(this->Pipe); // else ffmpeg could wait for more
       waitpid(this->Process, nullptr, 0);
       this->Process = 0;
       this->Fail();

@@ -95,6 +95,16 @@ class Motion(CliTest):
         for i, angle in enumerate(angles):
             self.assertAlmostEqual((angle - angles[0]) % 360, 60 * i, places=6)
 
+    def test_a_turn_around_a_point(self):
+        (self.folder / "point.ply").write_text(
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+            "property float z\nend_header\n1 2 3\n")  # fmt: skip
+        self.relievo("render", "point.ply", *PLAIN, "--point-size", 9, "--turntable", 2,
+                     "--report", "v%d.json")  # fmt: skip
+        eyes = [eye - (1, 2, 3) for eye, *_ in self.views(2)]
+        self.assertGreater(numpy.linalg.norm(eyes[0]), 1)
+        numpy.testing.assert_allclose(eyes[1], eyes[0] * (-1, 1, -1), atol=1e-9)
+
     def test_a_path_through_its_keys(self):
         keys = [(0, (3, 2, 7), (0, 0, 0), (0, 1, 0)), (0.2, (6, 1, 2), (0.3, 0, 0), (0, 1, 0.2)),
                 (0.5, (2, 3, -6), (0, 0.1, 0), (0.1, 1, 0))]  # fmt: skip
@@ -163,6 +173,34 @@ class Motion(CliTest):
         self.assertIn("ffmpeg is not installed: the frames are in a_0000.png", done.stderr)
         self.assertEqual(set(self.names()) - set(self.before), {f"a_000{i}.png" for i in range(3)})
         self.check_still("a_0000.png", (3, 2, 7))
+        self.before = self.names()
+        self.refused("render", "block.off", *PLAIN, "--turntable", 3, "--video", "b%d.mp4",
+                     status=2, says=["--video b%d.mp4", "not installed", "--png F"],
+                     environment={"PATH": str(self.folder)})  # fmt: skip
+
+    def fake_ffmpeg(self, script):
+        """An environment in which ffmpeg is this script."""
+        fake = self.folder / "bin"
+        fake.mkdir()
+        (fake / "ffmpeg").write_text("#!/bin/sh\n" + script)
+        (fake / "ffmpeg").chmod(0o755)
+        return {"PATH": f"{fake}:{os.environ['PATH']}"}
+
+    def test_frames_of_films(self):
+        """ffmpeg gets the pixels of the stills, from the top left, and the name of a file."""
+        environment = self.fake_ffmpeg(
+            'for last; do :; done\ncase $last in file:*) cat > "${last#file:}";; esac\n')
+        words = ("--camera", camera((3, 2, 7)), "--turntable", 3)
+        self.draw(*words, "--png", "f%d.png", "--video", "a.mkv", environment=environment)
+        stills = b"".join(read_png(self.folder / f"f{i}.png").tobytes() for i in range(3))
+        self.assertEqual(len(stills), 3 * 48 * 36 * 3)
+        self.assertEqual(self.bytes_of("a.mkv"), stills)
+        (self.folder / "f1.png").unlink()
+        self.draw(*words, "--png", "f%d.png", "--video", "b.mkv", "--resume",
+                  environment=environment)  # fmt: skip
+        self.assertEqual(self.bytes_of("b.mkv"), stills)
+        self.draw(*words, "--video", "c.mp4", environment=environment)
+        self.assertEqual(self.bytes_of("c.mp4"), stills)
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
     def test_films(self):
@@ -185,17 +223,13 @@ class Motion(CliTest):
         self.assertIn(b" 5 fps", done.stderr)
         return numpy.frombuffer(done.stdout, numpy.uint8).reshape(-1, 36, 48, 3)
 
-    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
     def test_a_film_that_cannot_be_written(self):
-        fake = self.folder / "bin"
-        fake.mkdir()
-        (fake / "ffmpeg").write_text("#!/bin/sh\necho unknown codec >&2\nexit 1\n")
-        (fake / "ffmpeg").chmod(0o755)
+        environment = self.fake_ffmpeg("echo unknown codec >&2\nexit 1\n")
         (self.folder / "a.mkv").write_text("old")
         self.before = self.names()
         self.refused("render", "block.off", *PLAIN, "--turntable", 2, "--video", "a.mkv", status=1,
                      says=["a.mkv: ffmpeg cannot write it: unknown codec"],
-                     environment={"PATH": f"{fake}:{os.environ['PATH']}"})  # fmt: skip
+                     environment=environment)  # fmt: skip
         self.assertEqual((self.folder / "a.mkv").read_text(), "old")
 
     def test_wrong_words(self):
@@ -203,6 +237,8 @@ class Motion(CliTest):
                                                (1, (0, 0, -5), (0, 0, 0), (0, 1, 0))])  # fmt: skip
         write_path(self.folder / "late.json", [(1, (0, 0, 5), (0, 0, 0), (0, 1, 0)),
                                                (1, (0, 1, 5), (0, 0, 0), (0, 1, 0))])  # fmt: skip
+        write_path(self.folder / "long.json", [(0, (0, 0, 5), (0, 0, 0), (0, 1, 0)),
+                                               (1e9, (0, 1, 5), (0, 0, 0), (0, 1, 0))])  # fmt: skip
         (self.folder / "no.json").write_text("[1]")
         self.before = self.names()
         turn, path = ("--turntable", 4), ("--camera-path", "path.json")
@@ -221,6 +257,8 @@ class Motion(CliTest):
              ["--certify", "--turntable"]),
             ((*path, "--png", "a%d.png"), ["path.json: key 2", "180 degrees"]),
             (("--camera-path", "late.json", "--png", "a%d.png"), ["key 2", "not after"]),
+            (("--camera-path", "long.json", "--png", "a%d.png"),
+             ["--camera-path", "25000000001 frames", "1 to 1000000"]),
             (("--camera-path", "no.json", "--png", "a%d.png"), ["no.json", '"focal_point"']),
         ):
             with self.subTest(words=words):

@@ -117,6 +117,9 @@ class Picture(CliTest):
                       ["triangle.off", "--camera", "0,0,5,0,0,9,0,1,0", "--shadows", "map"]):
             done = self.relievo("render", *words, "--size", "48x48", "--png", "a.png")
             self.assertEqual(done.stderr, says)
+        done = self.relievo("render", "triangle.off", "--opacity", 0, "--size", "48x48", "--png",
+                            "a.png")  # fmt: skip
+        self.assertIn("only the background: --opacity 0 makes surfaces invisible\n", done.stderr)
         # One colour all over, which is that of the mesh.
         close = ["--camera", "-0.5,-0.5,0.1,-0.5,-0.5,0,0,1,0", "--color", "0/0/0"]
         done = self.relievo("render", "triangle.off", *close, "--size", "48x48", "--png", "a.png")

@@ -3,6 +3,7 @@
 //
 // Runs one of the benches of formats, small, and checks its CSV against the required accuracies.
 //   testBenchFormats normals|depth|position
+//   testBenchFormats normals long             all directions of the chart
 #include "BenchSizes.h"
 #include "Check.h"
 #include "CsvFile.h"
@@ -106,8 +107,11 @@ RELIEVO_TEST_CASE(testBenchFormats)
   const std::string folder = relievoTest::OutputFolder() + "/" + name;
   vtksys::SystemTools::RemoveADirectory(folder);
   relievoBench::NormalSizes normals;
-  normals.Uniform = 500000;
-  normals.Special = 60000;
+  if (argc < 3)
+  {
+    normals.Uniform = 500000;
+    normals.Special = 60000;
+  }
   relievoBench::PositionSizes position;
   position.Rounds = 1;
   RELIEVO_CHECK((name == "normals"       ? relievoBench::BenchNormals(folder, normals)

@@ -31,6 +31,8 @@ MISTAKES = {
     "shell": ("tools/bad", CLEAN["tools/run"] + "cd $1 && rm -rf $unset/*\nfi\n", "shellcheck"),
     "python": ("python/relievo/b.py", CLEAN["python/relievo/a.py"] + "def (:\n",
                "does not compile"),
+    "python's text": ("python/relievo/b.py", CLEAN["python/relievo/a.py"] + "value = '\0'\n",
+                      "does not compile"),
     "licence": ("io/vtkB.h", "int B();\n", "SPDX"),
     "blanks": ("shaders/b.glsl", LICENCE + "float b; \n", "white space"),
     "tab": ("python/relievo/c.py", CLEAN["python/relievo/a.py"] + "\tx = 1\n", "tab"),

@@ -208,6 +208,33 @@ void TestPlacesThatCannotBeWritten()
   CheckNotWritten(empty, "there is no image", vtkErrorCode::UserError);
 }
 
+// A refused part ends the picture, and leaves nothing behind.
+void TestRows()
+{
+  auto image = ioTest::MakeLayers(20, 20);
+  const auto check = [&](const char* words, vtkImageData* second, const char* name, int height) {
+    vtkNew<vtkRelievoEXRWriter> writer;
+    writer->SetFileName(File().c_str());
+    RELIEVO_CHECK(writer->WriteRows(image, 10, 10, 20) == 1);
+    RELIEVO_CHECK(ioTest::Listing(Folder()) != "");
+    writer->SetFileName(name);
+    relievoTest::ExpectMessage expect(words);
+    RELIEVO_CHECK_THAT(writer->WriteRows(second, 0, 10, height) == 0, words);
+    RELIEVO_CHECK_THAT(expect.Count() == 1, words);
+    RELIEVO_CHECK_THAT(writer->GetErrorCode() == vtkErrorCode::UserError, words);
+    RELIEVO_CHECK_THAT(ioTest::Listing(Folder()) == "", words);
+  };
+  check("no image", nullptr, File().c_str(), 20);
+  check("rows that the image", ioTest::MakeLayers(20, 9), File().c_str(), 20);
+  check("another height or file name", image, File().c_str(), 21);
+  check("another height or file name", image, (Folder() + "/other.exr").c_str(), 20);
+  vtkNew<vtkRelievoEXRWriter> writer;
+  writer->SetFileName(File().c_str());
+  RELIEVO_CHECK(writer->WriteRows(image, 10, 10, 20) == 1);
+  RELIEVO_CHECK(writer->WriteRows(image, 0, 10, 20) == 1);
+  RELIEVO_CHECK(ioTest::Difference(image, ioTest::Read(File())).empty());
+}
+
 // The disk is full after 8 KiB, or 100 bytes: a limit of this process stands for it.
 void TestFullDisk()
 {
@@ -366,6 +393,7 @@ RELIEVO_TEST_CASE_APART(testEXRFailures)
   std::filesystem::remove_all(Folder());
   std::filesystem::create_directories(Folder());
   TestPlacesThatCannotBeWritten();
+  TestRows();
   TestFullDisk();
   TestImagesThatDoNotFit();
   TestSettings();

@@ -204,7 +204,7 @@ std::vector<int> FindChildren(int parent)
 
 bool WaitFor(const std::function<bool()>& condition)
 {
-  for (int i = 0; i < 5000 && !condition(); ++i)
+  for (int i = 0; i < 60000 && !condition(); ++i) // against hanging alone
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

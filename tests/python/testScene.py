@@ -140,6 +140,14 @@ class Scene(unittest.TestCase):
         scene.render(self.path("scene.png"))
         return (self.folder / "scene.png").read_bytes()
 
+    def pixels(self, name):
+        reader = vtkPNGReader()
+        reader.SetFileName(self.path(name))
+        reader.Update()
+        width, height, _ = reader.GetOutput().GetDimensions()
+        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+        return pixels.astype(int).reshape(height, width, -1)
+
     def test_every_kind_of_value(self):
         """Text, numbers, tuples, flags, lists: equal results to the command's arguments."""
         made = relievo.scene(
@@ -261,6 +269,9 @@ class Scene(unittest.TestCase):
         for wrong in ({"turntable": 1}, {"turntable": 3, "fps": 2}, {"camera_path": alone}):
             with self.assertRaises(ValueError):
                 scene.movie(png=self.path("w%d.png"), **wrong)
+        for wrong in (alone, [(0, 5)], [(0,)], 3, []):
+            with self.assertRaisesRegex(ValueError, "^camera_path: .*expected a path or at least"):
+                scene.movie(png=self.path("w%d.png"), camera_path=wrong)
         with self.assertRaisesRegex(ValueError, "movie"):
             scene.set(turntable=3)
 
@@ -360,17 +371,56 @@ class Scene(unittest.TestCase):
                 for rows in (0, 192, 0):
                     scene._scene.SetBandRows(rows)
                     self.picture(scene)
-                    reader = vtkPNGReader()
-                    reader.SetFileName(self.path("scene.png"))
-                    reader.Update()
-                    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-                    pictures.append(pixels.astype(int).reshape(size[1], size[0], -1))
+                    pictures.append(self.pixels("scene.png"))
                 whole, bands, again = pictures
                 numpy.testing.assert_array_equal(whole, again)
                 differ = abs(whole - bands).max(axis=2)
                 self.assertLess(numpy.mean(differ > 0), often)
                 self.assertLess(numpy.mean(differ > 8), 1e-3)
                 self.assertGreater(numpy.std(whole, axis=(0, 1)).max(), 5)  # shows something
+
+    def test_a_movie_in_bands(self):
+        """Its frames are pictures of their views."""
+        scene = relievo.scene(self.mesh, size=(90, 460), camera=CAMERA, preset="none")
+        scene._scene.SetBandRows(192)
+        scene.movie(png=self.path("m%d.png"), turntable=2)
+        x, y, z = CAMERA[:3]
+        for i, eye in enumerate(((x, y, z), (-x, y, -z))):
+            still = relievo.scene(self.mesh, size=(90, 460), camera=(*eye, *CAMERA[3:]),
+                                  preset="none")  # fmt: skip
+            still.render(self.path("still.png"))
+            frame, whole = self.pixels(f"m{i}.png"), self.pixels("still.png")
+            self.assertLess(numpy.mean(abs(frame - whole).max(axis=-1) > 0), 1e-3)
+            self.assertGreater(numpy.std(whole, axis=(0, 1)).max(), 5)
+
+    def test_after_bands(self):
+        """The window and the renderer draw the whole picture after Write(), however it ended."""
+        size = (90, 460)
+
+        def check(scene):
+            window, renderer = scene._scene.GetRenderWindow(), scene._scene.GetRenderer()
+            self.assertEqual(window.GetTileScale(), (1, 1))
+            self.assertEqual(renderer.GetViewport(), (0, 0, 1, 1))
+            self.assertEqual(window.GetSize(), size)
+            return relievo.layer(relievo.capture(renderer, ["depth"]), "depth")
+
+        scene = relievo.scene(self.mesh, size=size, camera=CAMERA, preset="none")
+        whole = check(scene.update())
+        scene._scene.SetBandRows(192)
+        self.picture(scene)
+        numpy.testing.assert_array_equal(check(scene), whole)
+        (self.folder / "wrong.vtk").write_text("no mesh")
+        scene._files.append(os.fsencode(self.path("wrong.vtk")))  # whose reading fails in Write()
+        with self.assertRaises(OSError):
+            self.picture(scene)
+        numpy.testing.assert_array_equal(check(scene), whole)
+        scene._files.pop()
+        self.picture(scene)
+        mine = vtkRenderWindow()
+        mine.SetOffScreenRendering(1)
+        mine.SetSize(*size)
+        scene.window = mine
+        self.assertEqual(scene.renderer.GetViewport(), (0, 0, 1, 1))
 
     def test_layers_in_bands(self):
         """Layers, camera and lights of a file written in bands are those of the whole picture."""
@@ -409,6 +459,9 @@ class Scene(unittest.TestCase):
         with self.assertLogs("relievo", "INFO"):
             self.picture(scene.set(grid=True))
         self.assertRegex(" ".join(scene.notes), "--grid needs all of it")
+        with self.assertLogs("relievo", "INFO"):
+            self.picture(scene.set(grid=None, point_size=65))
+        self.assertRegex(" ".join(scene.notes), "--point-size needs all of it")
 
     def test_a_window_of_ones_own(self):
         """The renderer lives in the window that was given, beside another."""

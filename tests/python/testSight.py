@@ -1551,12 +1551,14 @@ class Cover(unittest.TestCase):
             weights = draw.uniform(0, 1, len(corners))
             covered, chosen = relievo.cover(mesh, places, k, times=times, weights=weights)
             middles = corners.mean(1)
-            seen = numpy.array([[self.free(corners, place, at, own)
-                                 for own, at in enumerate(middles)] for place in places])  # fmt: skip
+            seen = numpy.array([
+                [self.free(corners, place, at, own) for own, at in enumerate(middles)]
+                for place in places
+            ])
             found = vtk_to_numpy(covered.GetCellData().GetArray("candidates"))
             numpy.testing.assert_array_equal(found, seen.sum(0))
-            area = numpy.linalg.norm(numpy.cross(corners[:, 1] - corners[:, 0],
-                                                 corners[:, 3] - corners[:, 0]), axis=1)  # fmt: skip
+            edges = corners[:, [1, 3]] - corners[:, :1]
+            area = numpy.linalg.norm(numpy.cross(edges[:, 0], edges[:, 1]), axis=1)
             area *= weights
             total = area.sum() * times
 

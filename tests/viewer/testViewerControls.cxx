@@ -89,7 +89,7 @@ private Q_SLOTS:
     this->Open({ models + "simple_skin/simple_skin.gltf", "--time", "0" });
     auto* file = this->Window->findChild<QLabel*>("file");
     QVERIFY(file); // or the model is not there
-    QTRY_VERIFY(file->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(file->isVisible(), 20000);
     viewer::Document* document = this->Window->GetDocument();
     int frames = 0, blank = 0;
     const QObject here; // for as long

@@ -220,7 +220,7 @@ private Q_SLOTS:
     QVERIFY(this->Activate());
     auto* edges = this->Window->findChild<QCheckBox*>("edges");
     auto* shading = this->Window->findChild<QComboBox*>("shading");
-    QTRY_VERIFY(edges->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(edges->isVisible(), 20000);
     edges->setFocus();
     QTest::keyClick(edges, Qt::Key_Space);
     QVERIFY(edges->isChecked() && !play->isChecked());
@@ -253,7 +253,7 @@ private Q_SLOTS:
     const scene::Settings edited = this->Window->GetDocument()->Get();
     const vtkSmartPointer<vtkImageData> after = this->Grab();
     this->Window->findChild<QDockWidget*>("look")->raise();
-    QTRY_VERIFY(opacity->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(opacity->isVisible(), 20000);
     // Also with the focus on a number, of which nothing was typed.
     QVERIFY(this->Activate());
     auto* digits = number->findChild<QDoubleSpinBox*>();
@@ -356,7 +356,7 @@ private Q_SLOTS:
     auto* lights = this->Window->findChild<QGroupBox*>("lights");
     lights->findChild<QComboBox*>("by")->setCurrentIndex(1);
     auto* hours = lights->findChild<QWidget*>("time")->findChild<QDoubleSpinBox*>();
-    QTRY_VERIFY(hours->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(hours->isVisible(), 20000);
     QVERIFY(this->Activate());
     hours->setFocus();
     for (int i = 0; i < 2; ++i) // the place, and the edges
@@ -407,7 +407,7 @@ private Q_SLOTS:
     this->Open({ this->WriteScene() });
     this->Window->findChild<QDockWidget*>("look")->raise();
     auto* edges = this->Window->findChild<QCheckBox*>("edges");
-    QTRY_VERIFY(edges->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(edges->isVisible(), 20000);
     const QPoint at(5, edges->height() / 2);
     const auto click = [edges, &at](QEvent::Type press) {
       for (const auto& each : { std::pair{ press, Qt::LeftButton },
@@ -441,7 +441,7 @@ private Q_SLOTS:
     auto* digits = number->findChild<QDoubleSpinBox*>();
     auto* slider = number->findChild<QSlider*>();
     auto* edges = this->Window->findChild<QCheckBox*>("edges");
-    QTRY_VERIFY(digits->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(digits->isVisible(), 20000);
     QVERIFY(this->Activate());
     const auto turn = [](QWidget* control, Qt::Key key) {
       control->setFocus();

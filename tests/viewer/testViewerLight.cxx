@@ -312,7 +312,7 @@ private Q_SLOTS:
       }
       return places;
     };
-    QTRY_VERIFY(this->FindEdit("azimuth")->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(this->FindEdit("azimuth")->isVisible(), 20000);
     const std::map<QString, QPoint> before = findPlaces();
     const std::vector<std::function<void()>> edits = { [this] { this->Type("azimuth", 90.0); },
       [this] { this->Type("elevation", 20.0); }, [this] { this->Type("angle", 3.0); },
@@ -336,7 +336,7 @@ private Q_SLOTS:
     auto* group = this->Window->findChild<QGroupBox*>("shadows");
     auto* reason = group->findChild<QLabel*>("reason");
     this->Grab();
-    QTRY_VERIFY(!reason->isHidden());
+    QTRY_VERIFY_WITH_TIMEOUT(!reason->isHidden(), 20000);
     const auto findPlaces = [group] {
       QList<QPoint> places;
       for (QWidget* edit : group->findChildren<viewer::ParameterEdit*>())
@@ -348,7 +348,7 @@ private Q_SLOTS:
     const QList<QPoint> before = findPlaces();
     static_cast<QCheckBox*>(this->FindEdit("casts"))->setChecked(true);
     this->Grab();
-    QTRY_VERIFY(reason->isHidden());
+    QTRY_VERIFY_WITH_TIMEOUT(reason->isHidden(), 20000);
     QCoreApplication::processEvents(); // rows are laid out
     QVERIFY(findPlaces() == before);
   }
@@ -681,7 +681,7 @@ private Q_SLOTS:
     this->Grab();
     QVERIFY(!handles->GetPlace(0, false)); // but beside their controls
     this->Window->findChild<QDockWidget*>("light")->raise();
-    QTRY_VERIFY(handles->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(handles->isVisible(), 20000);
     const double unit = 6.0 / view->height();
     const auto seen = [&](double x, double z) {
       return QPointF(0.5 * view->width() + x / unit, 0.5 * view->height() + z / unit);

@@ -93,7 +93,7 @@ private:
     found->setChecked(true);
     QCOMPARE(this->Get("--opacity-curve"), std::string());
     QVERIFY(MostDifferent(this->Grab(), shown) <= 1);
-    QTRY_VERIFY(curve->GetPoints() == before); // follows the picture
+    QTRY_VERIFY_WITH_TIMEOUT(curve->GetPoints() == before, 20000); // follows the picture
   }
 
 private Q_SLOTS:
@@ -182,7 +182,8 @@ private Q_SLOTS:
       Q_EMIT edit->editingFinished();
     };
     this->Choose("colors", "colorby", "height"); // from 0 to 1
-    QTRY_COMPARE(stops->findChildren<QLineEdit*>("value").at(1)->text(), QString("0.5"));
+    QTRY_COMPARE_WITH_TIMEOUT(
+      stops->findChildren<QLineEdit*>("value").at(1)->text(), QString("0.5"), 20000);
     setValue(1, "0.25");
     QCOMPARE(this->Get("--colormap"), std::string("#000000,0.25=#ff8000,#ffffff"));
     stops->findChild<QPushButton*>("addStop")->click();
@@ -193,14 +194,14 @@ private Q_SLOTS:
     this->Compare("own colours at their places");
     // The last value has the focus while a colour goes.
     stops->findChild<QPushButton*>("addStop")->click();
-    QTRY_COMPARE(stops->findChildren<QLineEdit*>("value").size(), 4);
+    QTRY_COMPARE_WITH_TIMEOUT(stops->findChildren<QLineEdit*>("value").size(), 4, 20000);
     stops->findChildren<QLineEdit*>("value").at(3)->setFocus();
     stops->findChildren<QToolButton*>("remove").at(1)->click();
-    QTRY_COMPARE(stops->findChildren<QLineEdit*>("value").size(), 3);
+    QTRY_COMPARE_WITH_TIMEOUT(stops->findChildren<QLineEdit*>("value").size(), 3, 20000);
     this->Change([](scene::Settings& settings) {
       settings.Set("--colormap", "0.25=#ff8000,0.625=#ffc080,#ffffff");
     });
-    QTRY_COMPARE(stops->findChildren<QLineEdit*>("value").size(), 3);
+    QTRY_COMPARE_WITH_TIMEOUT(stops->findChildren<QLineEdit*>("value").size(), 3, 20000);
     // A handle that is dragged.
     auto* strip = stops->findChild<QWidget*>("stopStrip");
     const QPoint handle(5 + static_cast<int>(0.625 * (strip->width() - 11)), 15);
@@ -223,7 +224,8 @@ private Q_SLOTS:
     QCOMPARE(this->Get("--colormap"), std::string("cool-warm:steps=5"));
     this->Find<QCheckBox>("colors", "symmetric")->setChecked(true);
     QCOMPARE(this->Get("--range"), std::string("symmetric"));
-    QTRY_COMPARE(this->Find<QLineEdit>("colors", "least")->placeholderText(), QString("-1"));
+    QTRY_COMPARE_WITH_TIMEOUT(
+      this->Find<QLineEdit>("colors", "least")->placeholderText(), QString("-1"), 20000);
     this->Compare("steps around zero");
     this->Find<QCheckBox>("colors", "log")->setChecked(true);
     QVERIFY(this->Window->GetTrouble().contains("logarithms"));

@@ -120,7 +120,7 @@ private Q_SLOTS:
     QVERIFY(seen > 0 && most == 100 && !QFile::exists(png)); // percent
     QCOMPARE(
       this->Window->findChild<QLabel*>("words")->text(), QString("Stopped: nothing was saved."));
-    QTRY_VERIFY(this->Window->GetTrouble().contains("missing.vtp"));
+    QTRY_VERIFY_WITH_TIMEOUT(this->Window->GetTrouble().contains("missing.vtp"), 20000);
     this->Change(
       [](scene::Settings& settings) { settings.SetParameter("shadows", "soft_samples", "24"); });
     this->Window->SavePicture({ png, {} });

@@ -172,7 +172,7 @@ private Q_SLOTS:
     auto* bar = this->Window->findChild<QProgressBar*>();
     std::unique_ptr<SlowFile> slow = this->OpenSlow();
     QVERIFY(!bar->isVisible()); // as for most files
-    QTRY_VERIFY(bar->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible(), 20000);
     QCOMPARE(bar->maximum(), 0);
     QVERIFY2(this->Words().contains("slow.stl"), qPrintable(this->Words()));
     this->StopSlow(std::move(slow));

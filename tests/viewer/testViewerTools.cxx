@@ -251,12 +251,12 @@ private Q_SLOTS:
       const double wide = findWidest();
       QVERIFY2(wide < 1.0, qPrintable(QString::number(wide)));
       this->Window->resize(1, this->Window->height());
-      QTRY_VERIFY(view->width() <= view->height() * 3 / 5);
+      QTRY_VERIFY_WITH_TIMEOUT(view->width() <= view->height() * 3 / 5, 20000);
       this->Grab();
       const double narrow = findWidest();
       QVERIFY2(narrow > 0.9 && narrow < 1.0 + 1e-6, qPrintable(QString::number(narrow)));
       this->Window->resize(this->Window->size() + before - view->size());
-      QTRY_COMPARE(view->size(), before);
+      QTRY_COMPARE_WITH_TIMEOUT(view->size(), before, 20000);
       const scene::Settings again = this->Window->GetViewSettings();
       QCOMPARE(again.Get("--camera"), camera.Get("--camera"));
       QCOMPARE(again.Get("--parallel-scale"), camera.Get("--parallel-scale"));
@@ -266,13 +266,13 @@ private Q_SLOTS:
       this->Grab();
       const double outside = findWidest();
       this->Window->resize(1, this->Window->height());
-      QTRY_VERIFY(view->width() <= view->height() * 3 / 5);
+      QTRY_VERIFY_WITH_TIMEOUT(view->width() <= view->height() * 3 / 5, 20000);
       this->Grab();
       const double now = findWidest();
       QVERIFY2(
         now > 1.0 && now < outside + 1e-6, qPrintable(QString("%1 > %2").arg(now).arg(outside)));
       this->Window->resize(this->Window->size() + before - view->size());
-      QTRY_COMPARE(view->size(), before);
+      QTRY_COMPARE_WITH_TIMEOUT(view->size(), before, 20000);
       near->Zoom(0.25);
     }
   }

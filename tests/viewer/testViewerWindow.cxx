@@ -283,7 +283,7 @@ private Q_SLOTS:
     QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
     this->Window->OpenFiles({ path });
     QVERIFY(ready.wait(60000));
-    QTRY_COMPARE(this->Window->GetViewSettings().GetWords(), words);
+    QTRY_COMPARE_WITH_TIMEOUT(this->Window->GetViewSettings().GetWords(), words, 20000);
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
     QFile broken(path);
     QVERIFY(broken.open(QIODevice::WriteOnly));

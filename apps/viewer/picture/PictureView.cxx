@@ -3,6 +3,7 @@
 #include "PictureView.h"
 
 #include "Errors.h"
+#include "QtVersions.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkGenericOpenGLRenderWindow.h"
@@ -12,7 +13,6 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkTextureObject.h"
 
-#include <QAbstractEventDispatcher>
 #include <QApplication>
 #include <QMouseEvent>
 
@@ -210,7 +210,7 @@ bool PictureView::eventFilter(QObject* watched, QEvent* event)
 // its end, so that a steady flow of other events does not keep the picture from being completed.
 void PictureView::MakeWay()
 {
-  if (this->Yields && QAbstractEventDispatcher::instance()->hasPendingEvents())
+  if (this->Yields && HasPendingEvents())
   {
     this->renderWindow()->SetAbortRender(1);
     this->GaveWay = true;
@@ -221,7 +221,7 @@ void PictureView::MakeWay()
 // Whether a sample takes long.
 bool PictureView::IsSlow() const
 {
-  vtkRelievoPass* frame = this->Shown->GetFrame();
+  vtkRelievoPass* frame = this->Shown ? this->Shown->GetFrame() : nullptr;
   return frame && frame->GetSamplesOneByOne();
 }
 

@@ -48,7 +48,8 @@ struct vtkRelievoShadowContext
   glm::vec2 PartStep{ 0.f };
   // By which share of the bottom's colour the background's gradient changes up to its top.
   glm::vec3 BackgroundRise{ 0.f };
-  int MapsDrawn = 0; // in this frame
+  glm::dmat4 TileToPicture{ 1.0 }; // a gradient runs through the whole picture
+  int MapsDrawn = 0;               // in this frame
   bool DrawingMaps = false;
   bool DrawingDepth = false; // a method is drawing the camera's depth
   bool ColoredShadows = false;

@@ -69,7 +69,7 @@ void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
   program->SetUniform3f("relievoShadowCenter", &center.x);
   program->SetUniform1fv("relievoShadowStrength", lights, strengths.data());
   program->SetUniform1iv("relievoShadowSlot", work.Structure.Numbers, slots.data());
-  const glm::mat4 rows = glm::transpose(work.View.GetProjection());
+  const glm::mat4 rows(glm::transpose(work.TileToPicture * work.View.ViewToNDC));
   const glm::vec4 heights[] = { rows[1], rows[3] };
   program->SetUniform4fv("relievoCatcherHeight", 2, reinterpret_cast<const float(*)[4]>(heights));
   program->SetUniform3f("relievoCatcherRise", &work.BackgroundRise.x);
