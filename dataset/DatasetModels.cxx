@@ -4,7 +4,6 @@
 
 #include "DatasetFormats.h"
 #include "DatasetObjects.h"
-#include "FileHash.h"
 #include "Messages.h"
 
 #include "vtkBoundingBox.h"
@@ -21,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <vector>
 
@@ -230,33 +228,12 @@ Json DescribeModel(const Model& model)
     { "min_z", low[2] }, { "size_x", box.GetLength(0) }, { "size_y", box.GetLength(1) },
     { "size_z", box.GetLength(2) } };
 }
-
-// Adds the hashes of models that another call has written.
-void HashModels(const DatasetStyle& style)
-{
-  std::error_code trouble;
-  for (const auto& entry : std::filesystem::directory_iterator(style.Folder + "/models", trouble))
-  {
-    const std::string name = entry.path().filename().string();
-    if (name.rfind("obj_", 0) == 0 || name == "models_info.json")
-    {
-      style.Hashes["models/" + name] = FileHash::OfFile(entry.path().string());
-    }
-  }
-}
 }
 
 //------------------------------------------------------------------------------
 void WriteDatasetModels(
   const DatasetStyle& style, vtkRenderer* renderer, const DatasetObjects& objects)
 {
-  const std::string path = style.Folder + "/models/";
-  std::error_code trouble;
-  if (std::filesystem::exists(path + "models_info.json", trouble)) // written last
-  {
-    HashModels(style);
-    return;
-  }
   vtkNew<vtkRelievoRayScene> scene;
   const vtkNew<vtkCallbackCommand> silent; // an object without a mesh is reported below
   scene->AddObserver(vtkCommand::WarningEvent, silent);

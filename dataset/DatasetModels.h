@@ -14,8 +14,7 @@ class DatasetObjects;
 struct DatasetStyle;
 
 /// Writes models/obj_NUMBER.ply of each object, and models/models_info.json, in BOP's layout: in
-/// millimetres, relative to the axes and the origin of the object's pose. Existing models stay.
-/// Throws FileError.
+/// millimetres, relative to the axes and the origin of the object's pose. Throws FileError.
 void WriteDatasetModels(
   const DatasetStyle& style, vtkRenderer* renderer, const DatasetObjects& objects);
 }

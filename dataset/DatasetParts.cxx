@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 namespace fs = std::filesystem;
 
@@ -38,7 +39,7 @@ const Json& Need(const Json& settings, const std::string& path, const char* name
 }
 
 //------------------------------------------------------------------------------
-Dataset ReadDataset(const std::string& folder)
+Dataset ReadDataset(const std::string& folder, WorkCheck check)
 {
   const std::string path = folder + "/" + DatasetSettings;
   const Json settings = ReadWorkJson(path);
@@ -63,9 +64,10 @@ Dataset ReadDataset(const std::string& folder)
   set.Objects = Need(settings, path, "objects", isTexts).get<std::vector<std::string>>();
   set.State.Items = "views";
   set.State.All = Need(settings, path, "views", [](const Json& json) {
-    return json.is_number_unsigned();
+    return json.is_number_unsigned() && json <= std::numeric_limits<int>::max();
   }).get<std::size_t>();
   const Json& version = Need(settings, path, "version", isText);
+  const std::string hash = FileHash::OfFile(path);
   for (std::size_t view = 0; view < set.State.All; ++view)
   {
     const std::string name = std::to_string(view);
@@ -83,12 +85,13 @@ Dataset ReadDataset(const std::string& folder)
       set.State.Damaged.push_back(name + " (its record)");
       continue;
     }
-    const std::string damaged = FindDamage(folder, record);
+    const std::string damaged =
+      check == WorkCheck::Files ? FindDamage(folder, record) : std::string();
     if (!damaged.empty())
     {
       set.State.Damaged.push_back(name + " (" + damaged + ")");
     }
-    else if (record.value("version", Json()) != version)
+    else if (record.value("version", Json()) != version || record.value("settings", Json()) != hash)
     {
       set.State.Foreign.push_back(name);
     }
@@ -115,10 +118,14 @@ void WriteDatasetIndex(const DatasetStyle& style, const std::vector<std::string>
 }
 
 //------------------------------------------------------------------------------
-WorkState VerifyDataset(const std::string& folder)
+WorkState VerifyDataset(const std::string& folder, WorkCheck check)
 {
-  Dataset set = ReadDataset(folder);
+  Dataset set = ReadDataset(folder, check);
   WorkState& state = set.State;
+  if (check == WorkCheck::Records)
+  {
+    return state;
+  }
   for (const auto& [name, content] :
     set.Style.Format->MakeIndex(set.Style, set.Objects, set.Records))
   {
@@ -139,7 +146,7 @@ WorkState VerifyDataset(const std::string& folder)
 //------------------------------------------------------------------------------
 void MergeDataset(const std::string& folder)
 {
-  const Dataset set = ReadDataset(folder);
+  const Dataset set = ReadDataset(folder, WorkCheck::Files);
   if (!set.State.IsWhole())
   {
     throw WorkError(set.State.GetText(folder) + "run the parts that draw these views, then merge");

@@ -24,8 +24,8 @@ std::string GetDatasetRecord(const std::string& folder, std::size_t view);
 void WriteDatasetIndex(const DatasetStyle& style, const std::vector<std::string>& objects,
   const std::vector<nlohmann::ordered_json>& records);
 
-/// What the folder has. Throws FileError if it is no data set.
-WorkState VerifyDataset(const std::string& folder);
+/// The complete and the missing views. Throws FileError if the folder is no data set.
+WorkState VerifyDataset(const std::string& folder, WorkCheck check);
 
 /// Writes the indices, and removes the files about progress. Throws WorkError if views are missing
 /// or damaged.

@@ -432,7 +432,7 @@ int vtkRelievoDatasetWriter::Verify(RELIEVO_TEXT directory)
   const std::string folder = directory;
   bool isWhole = false;
   const bool done = this->Try([&] {
-    const scene::WorkState state = scene::VerifyDataset(folder);
+    const scene::WorkState state = scene::VerifyDataset(folder, scene::WorkCheck::Files);
     this->Verdict = state.GetText(folder);
     isWhole = state.IsWhole();
   });
@@ -482,7 +482,7 @@ void vtkRelievoDatasetWriter::WriteViews()
   style.DepthStep = this->DepthStep > 0.0 ? this->DepthStep : self.GetDepthStep(objects);
   style.MillimetersPerUnit = this->MillimetersPerUnit;
   style.Layers = self.Layers;
-  scene::OpenWorkFolder(self.Directory, scene::DatasetSettings,
+  const std::string settings = scene::OpenWorkFolder(self.Directory, scene::DatasetSettings,
     { { "version", RELIEVO_VERSION }, { "format", format.Name }, { "views", views },
       { "objects", names }, { "layers", self.Layers }, { "depth_step", style.DepthStep },
       { "mm_per_unit", this->MillimetersPerUnit }, { "random_sun", this->RandomSun },
@@ -502,8 +502,13 @@ void vtkRelievoDatasetWriter::WriteViews()
     const auto number = static_cast<std::size_t>(i);
     vtkRelievoCameraModel* camera = self.Cameras[number];
     const std::string path = self.GetRecord(number);
-    if (fs::exists(path) &&
-      scene::FindDamage(self.Directory, self.ReadRecord(style, number, names.size())).empty())
+    Json before;
+    if (fs::exists(path))
+    {
+      before = self.ReadRecord(style, number, names.size());
+    }
+    if (!before.is_null() && before.value("settings", Json()) == settings &&
+      scene::FindDamage(self.Directory, before).empty())
     {
       ++this->NumberOfViewsKept;
     }
@@ -524,12 +529,14 @@ void vtkRelievoDatasetWriter::WriteViews()
         format.WriteModels(style, self.Renderer, objects); // their hashes are in the first record
       }
       record["version"] = RELIEVO_VERSION;
+      record["settings"] = settings;
       record["files"] = style.Hashes;
+      scene::CheckSettings(self.Directory, scene::DatasetSettings, settings);
       scene::WriteWhole(path, scene::WriteDatasetJson(record));
       ++this->NumberOfViewsWritten;
     }
     style.Hashes.clear();
-    if (isPart)
+    if (isPart && this->NumberOfViewsWritten > 0)
     {
       progress.Update(i + 1 - begin, end - begin, this->NumberOfViewsKept);
     }
@@ -544,7 +551,6 @@ void vtkRelievoDatasetWriter::WriteViews()
   if (!isPart)
   {
     self.WriteIndex(style, names);
-    format.WriteModels(style, self.Renderer, objects);
   }
   if (beyond > 0)
   {

@@ -74,15 +74,16 @@ Json ReadWorkJson(const std::string& path)
   Json json = Json::parse(ReadWhole(path), nullptr, false);
   if (json.is_discarded())
   {
-    throw FileError(path + ": is no JSON; remove it, or give another folder");
+    throw FileError(path + ": is not JSON; remove it, or give another folder");
   }
   return json;
 }
 
 //------------------------------------------------------------------------------
-void OpenWorkFolder(const std::string& folder, const std::string& file, const Json& settings)
+std::string OpenWorkFolder(const std::string& folder, const std::string& file, const Json& settings)
 {
   const std::string path = folder + "/" + file;
+  const std::string hash = FileHash::Of(WriteDatasetJson(settings));
   std::error_code trouble;
   if (!fs::exists(path, trouble))
   {
@@ -91,7 +92,7 @@ void OpenWorkFolder(const std::string& folder, const std::string& file, const Js
     if (other.empty())
     {
       WriteWhole(path, WriteDatasetJson(settings));
-      return;
+      return hash;
     }
     if (!fs::exists(path, trouble)) // another process may have created it meanwhile
     {
@@ -117,12 +118,22 @@ void OpenWorkFolder(const std::string& folder, const std::string& file, const Js
       if (FindOther(folder, file).empty())
       {
         WriteWhole(path, WriteDatasetJson(settings));
-        return;
+        return hash;
       }
-      throw UsageError(folder + ": was begun with " + name + " " +
-        (before.contains(name) ? before[name].dump() : "of its own") + ", now it is " +
-        value.dump() + "; give another folder, or the settings of before");
+      throw UsageError(folder + ": was begun " +
+        (before.contains(name) ? "with " + name + " " + before[name].dump() : "without " + name) +
+        ", now it is " + value.dump() + "; give another folder, or the settings of before");
     }
+  }
+  return hash;
+}
+
+//------------------------------------------------------------------------------
+void CheckSettings(const std::string& folder, const std::string& file, const std::string& hash)
+{
+  if (FileHash::OfFile(folder + "/" + file) != hash)
+  {
+    throw WorkError(folder + ": another call has begun it anew; give each its own folder");
   }
 }
 
@@ -141,7 +152,7 @@ std::string FindDamage(const std::string& folder, const Json& record)
     if (path.is_absolute() || path.begin() == path.end() || *path.begin() == ".." ||
       !hash.is_string() || FileHash::OfFile(folder + "/" + path.string()) != hash)
     {
-      return name;
+      return name.empty() ? "files" : name;
     }
   }
   return "";
@@ -227,9 +238,21 @@ std::string PartProgress::GetText(const std::string& folder)
     {
       continue;
     }
-    const Json json = ReadWorkJson(path);
+    Json json;
+    try
+    {
+      json = ReadWorkJson(path);
+    }
+    catch (const WorkError&) // removed meanwhile, by merge
+    {
+      continue;
+    }
+    if (!json.is_object())
+    {
+      continue;
+    }
     const auto number = [&json](const char* name) {
-      const auto found = json.is_object() ? json.find(name) : json.end();
+      const auto found = json.find(name);
       return found != json.end() && found->is_number() ? found->get<double>() : 0.0;
     };
     const double done = number("done");
@@ -238,7 +261,7 @@ std::string PartProgress::GetText(const std::string& folder)
     const double made = done - number("before");
     char line[256];
     std::snprintf(line, sizeof(line), "part %.0f of %.0f: %.0f of %.0f %s", number("part"),
-      number("of"), done, all, json.value("items", std::string()).c_str());
+      number("of"), done, all, json.value("items", Json()) == "%" ? "%" : "views");
     text += line;
     if (done >= all)
     {

@@ -19,26 +19,37 @@ namespace scene
 {
 /// Begins a folder, made if missing, by writing its settings to a file in it. Throws UsageError
 /// unless it is empty or was begun with these settings. A folder with nothing but settings, left by
-/// a refused or interrupted call, is begun anew.
-void OpenWorkFolder(
+/// a refused or interrupted call, is begun anew. Returns the hash of the settings, which records
+/// contain.
+std::string OpenWorkFolder(
   const std::string& folder, const std::string& file, const nlohmann::ordered_json& settings);
+
+/// Throws WorkError if another call has begun the folder anew since OpenWorkFolder().
+void CheckSettings(const std::string& folder, const std::string& file, const std::string& hash);
 
 /// Parses a JSON file. Throws FileError.
 nlohmann::ordered_json ReadWorkJson(const std::string& path);
 
-/// Whether the files of a record ("files": their hashes by path in the folder) are as they were
-/// written. Returns the first one that is not; empty: all are.
+/// Finds a file of a record ("files": hashes by path in the folder) that has changed since it was
+/// written. Returns its name; empty: none has.
 std::string FindDamage(const std::string& folder, const nlohmann::ordered_json& record);
 
-/// What a folder of work has.
+/// Whether to read all files, or only the records.
+enum class WorkCheck
+{
+  Files,
+  Records
+};
+
+/// The complete and the missing items of a folder.
 struct WorkState
 {
-  std::string Items;                ///< what it consists of, in the plural: "views", "parts"
+  std::string Items;                ///< their name, in the plural: "views", "parts"
   std::size_t All = 0;              ///< number of items
   std::vector<std::string> Missing; ///< items without a record
   std::vector<std::string> Damaged; ///< items with a damaged file, each with its name
   std::vector<std::string> Foreign; ///< items by another version or with other settings
-  std::string Result;               ///< what is wrong with the merged files; empty: nothing
+  std::string Result;               ///< fault of the merged files; empty: none
 
   bool IsWhole() const;
   /// A line for each kind of items.

@@ -47,6 +47,11 @@ WorkPart WorkPart::Parse(const std::string& option, const std::string& word)
     }
     part.Number = (id - first) / step + 1;
     part.Count = (last - first) / step + 1;
+    if (ReadSlurm(option, "SLURM_ARRAY_TASK_COUNT") != part.Count)
+    {
+      throw UsageError(option + ": got slurm, but the array has gaps; repeat failed tasks with " +
+        option + " K/N");
+    }
     return part;
   }
   const std::vector<std::string> numbers = Split(word, '/');

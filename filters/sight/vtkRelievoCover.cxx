@@ -22,14 +22,16 @@
 #include "vtkRelievoRayTree.h"
 #include "vtkRelievoSurfacePlaces.h"
 #include "vtkRelievoThreads.h"
+#include "vtkSMPTools.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <queue>
+#include <vector>
 
 vtkStandardNewMacro(vtkRelievoCover);
 
@@ -139,7 +141,7 @@ private:
     if (!(cosine > 0.0) || cosine < limits.LeastCosine ||
       (limits.Farthest > 0.0 && distance > limits.Farthest) ||
       limits.FocalLength * cosine < limits.Resolution * distance ||
-      (limits.LeastAhead > -1.0 && -glm::dot(to, ahead) < limits.LeastAhead * distance))
+      (limits.LeastAhead > -1.0 && !(-glm::dot(to, ahead) >= limits.LeastAhead * distance)))
     {
       return false;
     }
@@ -296,14 +298,14 @@ vtkRelievoCover::vtkRelievoCover()
     "How many places to choose.");
   list.AddWhole(
     "times", this->Times, [this](int times) { this->SetTimes(times); }, 1, 16, "",
-    "How many of them should see each cell.");
+    "How many chosen places should see each cell.");
   list.AddNumber(
     "farthest_distance", this->FarthestDistance,
     [this](double distance) { this->SetFarthestDistance(distance); }, 0.0, infinity, "",
     "The largest distance at which a cell is seen, in world units; 0: any.");
   list.AddNumber(
     "largest_angle", this->LargestAngle, [this](double degrees) { this->SetLargestAngle(degrees); },
-    1.0, 90.0, "degrees", "The largest angle between sight and the cell's normal.");
+    1.0, 90.0, "degrees", "The largest angle between the line of sight and the cell's normal.");
   list.AddNumber(
     "view_angle", this->ViewAngle, [this](double degrees) { this->SetViewAngle(degrees); }, 1.0,
     360.0, "degrees", "The full angle of the cone that a camera sees; 360: everything.");
@@ -356,6 +358,13 @@ int vtkRelievoCover::RequestData(
   const auto cells = static_cast<std::size_t>(mesh->GetNumberOfCells());
   vtkDataArray* directions = candidates->GetPointData()->GetVectors();
   const bool isEverywhere = this->ViewAngle >= 360.0;
+  if (this->GetNumberOfParts() > 1)
+  {
+    vtkErrorMacro(
+      "A choice of places has no parts: each place depends on those before it; expected "
+      "1 of 1.");
+    return 1;
+  }
   if (count == 0)
   {
     vtkErrorMacro("There are no candidates; give points as input 2.");
@@ -409,7 +418,9 @@ int vtkRelievoCover::RequestData(
   limits.FocalLength = this->FocalLength;
   SightTable table(count, cells);
   const Viewer viewer(scene->GetTree(), places, places.Before, limits);
-  constexpr std::size_t batch = 16; // between two reports of progress
+  // Between two reports of progress, some work for each thread.
+  const std::size_t batch = std::max<std::size_t>(
+    16, 8 * static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads()));
   for (std::size_t first = 0; first < count; first += batch)
   {
     const std::size_t end = std::min(count, first + batch);

@@ -12,8 +12,8 @@
  * from either side of the cell, within FarthestDistance, LargestAngle, ViewAngle and Resolution. A
  * cell counts by its area, times the cell array Weights. Places are chosen one after the other,
  * each with the largest gain (G. L. Nemhauser, L. A. Wolsey, M. L. Fisher 1978; evaluated lazily,
- * M. Minoux 1978), which reaches at least 1 - 1/e, 63 %, of the best choice, and usually far more:
- * the field data `bound` is an upper bound for any choice of so many places.
+ * M. Minoux 1978), which reaches at least 1 - 1/e, 63 %, of the best choice. The field data `bound`
+ * is an upper bound for any choice of as many places.
  *
  * Output 0: the mesh with the cell arrays covered (number of chosen places that see it, int) and
  * candidates (number of candidates that see it, int), and the field data share (part of the weight
@@ -51,7 +51,7 @@ public:
   ///@}
 
   ///@{
-  /** How many of them should see each cell; a cell counts for each of these. 1 (default) to 16. */
+  /** How many chosen places should see each cell; it counts for each. 1 (default) to 16. */
   vtkSetClampMacro(Times, int, 1, 16);
   vtkGetMacro(Times, int);
   ///@}
@@ -63,7 +63,7 @@ public:
   ///@}
 
   ///@{
-  /** The largest angle between sight and the cell's normal, degrees, 1 to 90. Default 90. */
+  /** The largest angle between the line of sight and the normal, degrees, 1 to 90. Default 90. */
   vtkSetClampMacro(LargestAngle, double, 1.0, 90.0);
   vtkGetMacro(LargestAngle, double);
   ///@}

@@ -743,6 +743,12 @@ int vtkRelievoVisibility::RequestData(
       return 1;
     }
   }
+  if (this->Cloud && this->GetNumberOfParts() > 1)
+  {
+    vtkErrorMacro(
+      "The cloud has no parts, because its points belong to pixels; expected Cloud off.");
+    return 1;
+  }
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   vtkPolyData* cloud = vtkPolyData::GetData(outputs, 1);

@@ -89,7 +89,7 @@ vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
     environment->SetParameter("intensity", intensity);
     context.Note(surface.Environment + ": its light is " +
       (found < 1.0 ? "too bright" : "too dark") +
-      " to be seen, and drawn with intensity=" + intensity + "; intensity=1 keeps it");
+      " for a picture, and is drawn with intensity=" + intensity + "; intensity=1 keeps it");
   }
   progress.End();
   context.Check(surface.Environment);

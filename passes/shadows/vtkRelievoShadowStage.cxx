@@ -504,8 +504,8 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
     .AddWhole(
       "volume_nodes", this->VolumeNodes, [this](int nodes) { this->SetVolumeNodes(nodes); }, 16,
       1024, "nodes",
-      "Most nodes along an axis of the grid of a light's way through volumes, which has one for "
-      "each voxel.")
+      "Largest number of nodes along an axis of the grids of light through volumes, which have "
+      "one for each voxel.")
     .Advanced = true;
   this->DescribeSoft(description);
 }

@@ -69,7 +69,8 @@ def environment(*arguments, **given):
     _remove(inner)
     frame = frame_of(inner)
     if bound.arguments["tone"] and not (frame and frame.GetStage("tone").GetEnabled()):
-        stage(inner, "tone", operator="reinhard")  # which keeps differences of bright light
+        # Reinhard's curve keeps differences of bright light, such as that of skies.
+        stage(inner, "tone", operator="reinhard")
         object.__setattr__(inner, "relievo_tone", True)  # PyVista's renderers refuse new ones
     if bound.arguments["sky"]:
         shown = vtkRelievoSkybox()
@@ -113,7 +114,8 @@ path: a file ({images}), a numpy array of (rows, columns, 3) with row 0 at the t
 {values}
 sky: whether the picture is shown behind everything.
 tone: whether the stage `tone` maps the sum of the picture's and the renderer's lights to the
-    display's range; without it, sums above 1 are clipped.
+    display's range, with the operator `reinhard` if the stage is still off; without tone, sums
+    above 1 are clipped.
 
 Returns the vtkRelievoEnvironment, None for None. Another call replaces it. Roughness above 0 takes
 a second.

@@ -4,6 +4,7 @@
 
 import dataclasses
 import json
+import operator
 import os
 import pathlib
 import shlex
@@ -19,9 +20,9 @@ _WITH_PARTS = ("dataset", "sun", "visible")
 class Part:
     """One of the equal shares of a job, made by parts(): part `number`, from 1, of `count`.
 
-    Calling it computes it, in a process of its own, and returns the paths of its files; a part
+    Calling a part computes it, in a process of its own, and returns the paths of its files; a part
     that is complete only returns them. It can be pickled, and be called on any machine that has
-    the files: its words name files relative to `folder`.
+    the files: `words`, the call of the command, names files relative to `folder`.
     """
 
     words: tuple
@@ -35,12 +36,13 @@ class Part:
         Returns the paths of its files. Raises ValueError for invalid words, RuntimeError if the
         work fails.
         """
-        _run([*self.words, f"--part={self.number}/{self.count}"], self.folder)
+        command, *words = self.words
+        _run([command, f"--part={self.number}/{self.count}", *words], self.folder)
         return self.files()
 
     @property
     def directory(self) -> str:
-        """The folder of all parts, which merge(), verify() and status() take."""
+        """The folder of all parts, which merge(), verify() and `relievo status` take."""
         name = _output(self.words)
         path = pathlib.Path(self.folder, name if self.words[0] == "dataset" else f"{name}.parts")
         return str(path)
@@ -49,7 +51,8 @@ class Part:
         """The paths of the files that this part has written so far."""
         top = pathlib.Path(self.directory)
         if self.words[0] == "dataset":
-            views = json.loads((top / "dataset.json").read_text("utf-8"))["views"]
+            settings = top / "dataset.json"
+            views = json.loads(settings.read_text("utf-8"))["views"] if settings.exists() else 0
             share, rest = divmod(views, self.count)
             first, end = (n * share + min(n, rest) for n in (self.number - 1, self.number))
             records = [top / "views" / f"{view:06d}.json" for view in range(first, end)]
@@ -58,7 +61,8 @@ class Part:
         paths = []
         for record in records:
             if record.exists():
-                paths += [top / name for name in json.loads(record.read_text("utf-8"))["files"]]
+                names = json.loads(record.read_text("utf-8"))["files"]
+                paths += [top / name for name in names if _is_within(top / name, top)]
                 paths.append(record)
         return [str(path) for path in paths]
 
@@ -68,39 +72,48 @@ def parts(job, n) -> list[Part]:
 
         job = "sun town.obj --place 48.2,16.4 --dates 2026-06-21 -o town.vtp"
         parts = relievo.parts(job, 8)
-        with concurrent.futures.ProcessPoolExecutor() as pool:
+        with concurrent.futures.ThreadPoolExecutor() as pool:
             for part in [pool.submit(part) for part in parts]:
                 part.result()
         town = relievo.merge(parts)
 
-    job: the words of `relievo dataset`, `sun` or `visible`, as a text (as in a shell) or a list,
-        without the program's name. Files are relative to the folder in which parts() is called.
-    n: number of parts, from 1; a part without work only says so.
+    job: a call of `relievo dataset`, `sun` or `visible` without the program's name, as one text
+        (as in a shell) or a list of words. Files are relative to the folder in which parts() is
+        called.
+    n: number of parts, from 1. If n is larger than the number of items, some parts have no work.
 
     Parts can be pickled: concurrent.futures, joblib, dask.distributed and submitit take them as
-    functions without arguments. What merge() makes of them does not depend on n, nor on the order
-    in which they ran. Raises ValueError for wrong arguments.
+    functions without arguments. The result of merge() does not depend on n, nor on the order in
+    which the parts ran. Raises ValueError for wrong arguments.
     """
-    words = tuple(shlex.split(job)) if isinstance(job, str) else tuple(map(os.fspath, job))
+    try:
+        words = tuple(shlex.split(job)) if isinstance(job, str) else tuple(map(os.fspath, job))
+    except TypeError:
+        words = ()
     if not words or words[0] not in _WITH_PARTS:
         raise ValueError(f"job: got {job!r}, expected the words of {', '.join(_WITH_PARTS)}")
     _output(words)
-    if not isinstance(n, int) or isinstance(n, bool) or n < 1:
+    try:
+        count = 0 if isinstance(n, bool) else operator.index(n)
+    except TypeError:
+        count = 0
+    if count < 1:
         raise ValueError(f"n: got {n!r}, expected a whole number from 1")
-    return [Part(words, os.getcwd(), number, n) for number in range(1, n + 1)]
+    return [Part(words, os.getcwd(), number, count) for number in range(1, count + 1)]
 
 
 def merge(parts) -> str:
     """Joins the parts of a job, and returns the path of the result: the file, or the data set.
 
-    parts: parts from parts(), all complete; or the folder of the parts.
+    parts: the list from parts(), all of them complete; or the folder of the parts.
 
     The result is that of a single process, byte for byte. Raises ValueError for wrong arguments,
     RuntimeError if parts are missing or damaged.
     """
     directory = _directory(parts)
-    _run(["merge", directory])
-    return directory.removesuffix(".parts")
+    _run(["merge", "--", directory])
+    is_mesh = pathlib.Path(directory, "parts.json").exists()
+    return directory.removesuffix(".parts") if is_mesh else directory
 
 
 def verify(parts) -> str:
@@ -108,28 +121,35 @@ def verify(parts) -> str:
 
     parts: as for merge().
 
-    Returns "" if all is whole, otherwise a text that lists what is missing, damaged, or made by
-    another version. Raises ValueError for wrong arguments.
+    Returns "" if everything is complete, otherwise a text that lists parts that are missing,
+    damaged, or made by another version. Raises ValueError for wrong arguments, RuntimeError if
+    the folder cannot be checked.
     """
-    done = _run(["verify", _directory(parts)], good=(0, 3))
+    done = _run(["verify", "--", _directory(parts)], good=(0, 3))
     return done.stdout if done.returncode == 3 else ""
 
 
 def _directory(parts):
     if isinstance(parts, (str, os.PathLike)):
-        return os.fspath(parts)
-    parts = list(parts)
-    wrong = [part for part in parts if not isinstance(part, Part)]
-    if not parts or wrong:
-        raise ValueError(f"parts: got {describe(wrong[0] if wrong else parts)}, expected what "
-                         "parts() returns, or a folder")
-    return parts[0].directory
+        return os.fspath(pathlib.Path(parts))  # without a slash at the end
+    parts = list(parts) if hasattr(parts, "__iter__") else [parts]
+    folders = {part.directory if isinstance(part, Part) else None for part in parts}
+    if len(folders) != 1 or None in folders:
+        raise ValueError(f"parts: got {describe(parts)}, expected the parts of one job, from "
+                         "parts(), or a folder")
+    return folders.pop()
+
+
+def _is_within(path, top):
+    return path.resolve().is_relative_to(top.resolve())
 
 
 def _output(words):
     """The value of the option for the output."""
     name = "--out" if words[0] == "dataset" else "-o"
     for at, word in enumerate(words):
+        if word == "--":
+            break
         if word == name and at + 1 < len(words):
             return words[at + 1]
         if word.startswith(f"{name}="):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a pixel shows."""
+"""pick(): the surface or volume that a pixel shows."""
 
 import math
 import operator
@@ -27,21 +27,21 @@ class Picked(NamedTuple):
     index: int
     """Its index in renderer.GetActors() or renderer.GetVolumes(); -1: none."""
     block: int
-    """Of a surface: flat index in composite data, 0 in other data; -1: none."""
+    """Of a surface: flat index of the block in composite data, 0 in other data; -1: none."""
     cell: int
-    """Of a surface: cell of the drawn mesh; -1: none."""
+    """Of a surface: index of the cell in the drawn mesh; -1: none."""
     depth: float
     """Along the view direction, world units; infinity: none."""
     position: numpy.ndarray
-    """World coordinates, in double; 0: none."""
+    """World coordinates, in double; 0, 0, 0: none."""
     normal: numpy.ndarray
-    """World space; of a volume, the direction in which its values fall. 0: none."""
+    """In world space; of a volume, the direction in which its values fall. 0, 0, 0: none."""
     value: float
     """Of a volume: the value of its data; else NaN."""
     opacity: float
-    """Of all volumes before the surface: 0 nothing, 1 all."""
+    """Of all volumes in front of the surface together: 0 transparent, 1 opaque."""
     arrays: dict
-    """Values of the arrays that were asked for, of the surface, by name."""
+    """Values of the requested arrays of the surface, by name."""
 
     def __bool__(self) -> bool:
         return bool(self.kind)
@@ -57,7 +57,7 @@ def _has_layers(renderer, size):
 
 
 def pick(renderer, x, y, arrays=(), size=None) -> Picked:
-    """What a pixel shows: the surface or the volume, its place, and values of the data there.
+    """Returns the surface or volume that a pixel shows, its place, and values of the data there.
 
         found = relievo.pick(renderer, 320, 240)
         if found.kind == "volume":
@@ -69,8 +69,8 @@ def pick(renderer, x, y, arrays=(), size=None) -> Picked:
 
     The place in a volume follows the rule of stage(renderer, "volumes", rule=..., opacity=...).
 
-    Returns Picked, which is false where there is nothing. Raises as capture(), and ValueError for a
-    pixel outside the picture. If no volume has layers, only surfaces are found.
+    The result, a Picked, is false where there is neither. If no volume has layers, only surfaces are
+    found. Raises ValueError for a pixel outside the picture, and the errors of capture().
     """
     arrays = [arrays] if isinstance(arrays, str) else list(arrays)
     inside = inner_renderer(renderer)

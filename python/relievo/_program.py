@@ -9,7 +9,7 @@ import sys
 
 
 def program():
-    """The path of the command; None: this build has none."""
+    """The path of the command; None if this build has none."""
     package = pathlib.Path(sys.modules["relievo"].__file__).parent  # a build has links to this file
     for folder in (package, *package.parents):
         if os.access(folder / "bin" / "relievo", os.X_OK):

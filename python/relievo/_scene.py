@@ -161,7 +161,7 @@ class Scene:
         camera_path: a JSON or CSV file of views through which the camera moves, or a list of pairs
         (seconds, view), where a view is a vtkCamera or (position, focal point, up direction).
         fps: frames per second (25). png: a path with %d or %04d, the number of the frame.
-        resume: keeps the frames whose PNG files exist.
+        resume: draws only the frames whose PNG files do not exist; it needs png.
         Raises ValueError for wrong arguments, OSError for files, RuntimeError for failed drawing.
         """
         outputs = {"video": video, "turntable": turntable, "fps": fps, "png": png, "resume": resume}

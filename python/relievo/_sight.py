@@ -325,26 +325,27 @@ def _vectors(name, values):
 
 
 cover.__signature__ = _COVER_SIGNATURE  # type: ignore[attr-defined]
-cover.__doc__ = f"""Chooses k of many candidate places, from which most of a mesh is seen.
+cover.__doc__ = f"""Chooses, of many candidate places, the k from which most of a mesh is seen.
 
     site, cameras = relievo.cover(site, numpy.array(poles), 6, farthest_distance=40)
     share = site.GetFieldData().GetArray("share").GetValue(0)
 
-mesh: a dataset or a filter that makes one; data other than polygons count by their outer
-    surface. A cell counts by its area.
-candidates: an array (n, 3) of places, or a dataset whose points they are.
+mesh: a dataset or a filter that makes one; of data other than polygons, the outer surface. Cells
+    count by their areas.
+candidates: an array (n, 3) of places, or a dataset whose points are the places.
 k: how many to choose, from 1.
 occluders: other data that occlude the mesh, one or a list.
-directions: an array (n, 3) of directions in which the candidates look; None: they look
-    everywhere, or along the vectors of the dataset.
-weights: one number for each cell, by which its area counts; None: 1.
+directions: an array (n, 3) of directions in which the candidates look; None: the point vectors of
+    the dataset, if it has any. Needed if view_angle is less than 360.
+weights: one number for each cell, by which its area is multiplied; None: 1.
 {describe_all(vtkRelievoCover(), _OF_COVER)}
 
-Returns two vtkPolyData: the mesh with the cell arrays covered (number of chosen places that see
-a cell) and candidates (number of candidates that see it), and the field data share (of the
-weight that is covered), reachable (by all candidates) and bound (no choice of k places covers a
-larger share); and the chosen places with the arrays candidate, gain and share. Raises ValueError
-for wrong arguments.
+Returns two vtkPolyData. The mesh has the cell arrays covered (number of chosen places that see
+the cell) and candidates (number of candidates that see it), and the field data share (covered part
+of the weighted area), reachable (part that all candidates together cover) and bound (no choice of
+k places covers a larger part). The chosen places, in their order, have the arrays candidate (its
+index), gain (the part that it adds) and share (the part covered so far). Raises ValueError for
+wrong arguments.
 """
 
 

@@ -145,7 +145,7 @@ class RelievoComponent:
         return _image.layer(self._captured(name, size, hdr), name)
 
     def pick(self, x: int, y: int, arrays: Sequence[str] = ()) -> _pick.Picked:
-        """As relievo.pick(): what a pixel of the active renderer shows, volumes included."""
+        """The surface or volume that a pixel of the active renderer shows: relievo.pick()."""
         self._renderer()
         return _pick.pick(self._plotter, x, y, arrays)
 

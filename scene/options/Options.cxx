@@ -410,12 +410,13 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.AddNumber("--opacity", "A", "opacity of all meshes and volumes, @bounds@ (1)", { 0.0, 1.0 },
     [](RenderOptions& options, double opacity) { options.Look.Opacity = opacity; });
   rows.Add("--opacity-curve", "VALUE/A,...",
-    "opacities of volumes (--image volume) at values, 0 to 1 over a hundredth of the image's "
-    "diagonal, linear in between (0 below the threshold that separates the values best)",
+    "volumes (--image volume): the opacity at two or more values, 0 to 1 over a hundredth of the "
+    "image's diagonal, linear in between (0 below the threshold that separates the values best)",
     TakePart<&RenderOptions::Look, TakeOpacityCurve>);
   rows.AddNumber("--volume-step", "SHARE",
-    "step of rays through volumes, as a share of the distance of the image's points, @bounds@; "
-    "smaller steps are slower and show fewer rings (0.5, and finer in images of few points)",
+    "step of rays through volumes, as a share of the smallest distance between the image's points, "
+    "@bounds@; smaller steps are slower and show fewer rings (0.5, and finer in images of few "
+    "points)",
     { 0.05, 4.0 }, [](RenderOptions& options, double step) { options.Look.VolumeStep = step; });
   rows.AddNumber("--point-size", "PIXELS",
     "width of points, @bounds@ pixels; wider than 1, they are drawn as spheres (4 with a "
@@ -574,8 +575,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   stage.Sets = "any";
   vtkRelievoOption& tone = rows.Add("--tone", "OPERATOR[,white=W]",
     "how light above 1 is shown in the picture: neutral, clamp, simple, reinhard or "
-    "reinhard-rgb; W is the light that the latter two show as white (neutral, if --exposure is "
-    "given). The EXR stores the colour before the operator",
+    "reinhard-rgb; W is the light that reinhard and reinhard-rgb show as white (neutral, if "
+    "--exposure is given). The EXR stores the colour before the operator",
     TakeTone);
   tone.Sets = "tone";
   tone.Words = { "neutral", "clamp", "simple", "reinhard", "reinhard-rgb" };
@@ -632,8 +633,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.Command.Options.back().OfOutputs = true;
   rows
     .AddFlag("--resume",
-      "keeps the frames whose files exist, as an interrupted run leaves them; whether these had "
-      "the same options is not checked",
+      "draws only the frames whose files do not exist, after an interrupted run; whether the "
+      "existing files were drawn with the same options is not checked",
       all.Motion.Resume)
     .OfOutputs = true;
   vtkRelievoOption& exr = rows.Add("--exr", "F",

@@ -110,7 +110,7 @@ void CheckSequence(const RenderOptions& options, const std::set<std::string>& gi
   if (given.count("--fps") > 0 && motion.Video.empty() && motion.Path.empty())
   {
     throw UsageError(
-      "--fps: neither a film nor a camera's path has a rate: give --video F as well");
+      "--fps: there is neither a film nor a camera's path: give --video F or --camera-path F");
   }
   const std::pair<const char*, std::string> places[] = { { "--png", options.PNG },
     { "--exr", options.EXR }, { "--baseline", options.Baseline }, { "--report", options.Report } };

@@ -146,6 +146,22 @@ class Dataset(CliTest):
         self.refused_in("whole", *words[:2], "--seed", "4", "--format", "coco",
                         says=["whole: was begun with", "give another folder"])  # fmt: skip
         self.check_parts(command[4:-1])
+        self.check_models()
+
+    def check_models(self):
+        """A damaged model is found, and written again by the part of the first view."""
+        words = ["--poses", "orbit:2", "--format", "bop"]
+        self.dataset("whole-bop", *words)
+        for part in ("1/2", "2/2"):
+            self.dataset("parts", *words, "--part", part)
+        self.relievo("merge", "parts")
+        model = self.folder / "parts" / "models" / "obj_000002.ply"
+        model.write_bytes(model.read_bytes()[:-1])
+        self.assertIn("1 damaged: 0 (models/obj_000002.ply)", self.verify())
+        self.dataset("parts", *words, "--part", "1/2")
+        shutil.rmtree(self.folder / "parts" / "progress")
+        self.relievo("verify", "parts")
+        self.check_same("whole-bop", "parts")
 
     def check_parts(self, words):
         """The views in parts, some of them ended by a signal; then with damaged files."""
@@ -157,7 +173,10 @@ class Dataset(CliTest):
                      f"{part}/{count}"]  # fmt: skip
             if part == parts[1]:
                 killed = subprocess.Popen(given, cwd=self.folder, stdout=subprocess.DEVNULL)
-                time.sleep(draw.random())
+                records = self.folder / "parts" / "views"
+                count_before = len(list(records.iterdir()))
+                while killed.poll() is None and len(list(records.iterdir())) == count_before:
+                    time.sleep(0.001)
                 killed.send_signal(signal.SIGKILL)
                 killed.wait()
             done = subprocess.run(given, cwd=self.folder, text=True, check=True,
@@ -187,6 +206,7 @@ class Dataset(CliTest):
         self.relievo("merge", "parts")
         self.relievo("verify", "parts")
         self.check_same("whole", "parts")
+        shutil.rmtree(self.folder / "parts")
 
     def verify(self):
         return self.relievo("verify", "parts", status=3).stdout

@@ -10,7 +10,9 @@ import shutil
 import numpy
 from cli import CliTest, main
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter, vtkXMLPolyDataReader
 
 # Level ground of two cells in y = 0, seen from y > 0, and a roof over the one with x < 0.
 GROUND = "OFF\n6 2 0\n-2 0 -1\n-2 0 1\n0 0 1\n0 0 -1\n2 0 1\n2 0 -1\n4 0 1 2 3\n4 3 2 4 5\n"
@@ -103,14 +105,62 @@ class Sight(CliTest):
 
     def test_a_job_array(self):
         for task in (10, 14, 12):  # parts 1, 3, 2
-            array = {"TASK_ID": task, "TASK_MIN": 10, "TASK_MAX": 14, "TASK_STEP": 2}
             self.relievo("sun", "ground.off", *SUN, "-o", "sun.vtp", "--part", "slurm",
-                         environment={f"SLURM_ARRAY_{name}": str(value)
-                                      for name, value in array.items()})  # fmt: skip
+                         environment=self.array(task, 3))  # fmt: skip
+        done = self.relievo("sun", "ground.off", *SUN, "-o", "sun.vtp", "--part", "slurm",
+                            environment=self.array(14, 2), status=2)  # fmt: skip
+        self.assertIn("the array has gaps", done.stderr)
         said = self.relievo("status", "sun.vtp.parts").stdout
         self.assertIn("part 3 of 3: 100 of 100 %, done", said)
         self.relievo("merge", "sun.vtp.parts")
         self.assertFalse((self.folder / "sun.vtp.parts" / "progress").exists())
+
+    def array(self, task, count):
+        """The variables of a job array of the tasks 10, 12 and 14, of which `count` are there."""
+        array = {"ID": task, "MIN": 10, "MAX": 14, "STEP": 2, "COUNT": count}
+        return {f"SLURM_ARRAY_TASK_{name}": str(value) for name, value in array.items()}
+
+    def test_folders_of_parts(self):
+        """Names of folders that are no FILE.parts; parts of a folder that was begun anew."""
+        day = ["sun", "ground.off", *SUN[:3]]
+        self.relievo(*day, "2026-03-20", "-o", "sun.vtp", "--part", "1/1")
+        folder = self.folder / "sun.vtp.parts"
+        self.relievo("merge", "sun.vtp.parts/.")
+        before = (self.folder / "sun.vtp").read_bytes()
+        shutil.copytree(folder, self.folder / "sun.vtp.copies")
+        done = self.relievo("merge", "sun.vtp.copies", status=2)
+        self.assertIn("expected a folder FILE.parts", done.stderr)
+        self.assertEqual((self.folder / "sun.vtp").read_bytes(), before)
+        record = (folder / "part-000001.json").read_bytes()
+        for path in folder.iterdir():
+            if path.name != "parts.json":
+                path.unlink()
+        self.relievo(*day, "2026-06-21", "-o", "sun.vtp", "--part", "1/1")
+        (folder / "part-000001.json").write_bytes(record)  # of the other day
+        said = self.relievo("status", "sun.vtp.parts").stdout
+        self.assertIn("1 of another version or other settings: 1", said)
+
+    def test_candidates_of_blocks(self):
+        """The points of all blocks are candidates."""
+        blocks = vtkMultiBlockDataSet()
+        for number, x in enumerate((-1, 1)):
+            points = vtkPoints()
+            points.InsertNextPoint(x, 1, 0)
+            data = vtkPolyData()
+            data.SetPoints(points)
+            data.SetVerts(vtkCellArray())
+            data.GetVerts().InsertNextCell(1, [0])
+            blocks.SetBlock(number, data)
+        writer = vtkXMLMultiBlockDataWriter()
+        writer.SetFileName(str(self.folder / "masts.vtm"))
+        writer.SetInputData(blocks)
+        writer.SetDataModeToAscii()
+        writer.Write()
+        self.relievo("cover", "ground.off", "--candidates", "masts.vtm", "--places", "2",
+                     "--largest-angle", "50", "-o", "covered.vtp",
+                     "--chosen", "chosen.vtp")  # fmt: skip
+        self.assertEqual(self.cells("covered.vtp", "covered").tolist(), [1, 1])
+        self.assertEqual(self.read("chosen.vtp").GetNumberOfPoints(), 2)
 
     def test_sun_options(self):
         self.sun(*SUN, "--up=y")

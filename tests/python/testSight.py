@@ -1641,8 +1641,16 @@ class Parts(unittest.TestCase):
             for given in (("render a.off --png a.png", 2), ("sun a.off", 2), ([*job, shared], 0)):
                 with self.assertRaises(ValueError):
                     relievo.parts(*given)
-            with self.assertRaises(ValueError):
-                relievo.merge([1])
+            odd = relievo.parts(["sun", "-o", "odd.vtp", "--", "-odd.off"], 2)[0]
+            with self.assertRaisesRegex(ValueError, "--place"):  # not a file --part=1/2
+                odd()
+            self.assertEqual(odd.files(), [])
+            for given in ([1], None, [], [*parts, odd]):
+                with self.subTest(given), self.assertRaises(ValueError):
+                    relievo.merge(given)
+            for given in ((None, 2), (["sun", 3], 2), (job, 1.5), (job, True)):
+                with self.subTest(given), self.assertRaises(ValueError):
+                    relievo.parts(*given)
 
 
 if __name__ == "__main__":

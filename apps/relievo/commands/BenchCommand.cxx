@@ -35,8 +35,8 @@ public:
     : Command("bench", "NAME... | NAME -- OPTION...",
         "bench runs benchmarks, prints their results, and writes CSV files, and charts if "
         "Python has matplotlib; otherwise bench/charts.py draws them later. Some benches are "
-        "Python scripts of Relievo's sources, and need these; words after -- are options of the "
-        "script. "
+        "Python scripts, which need the sources from which relievo was built; words after -- are "
+        "options of the script. "
         "Several NAMEs, or all, run in separate processes, so that "
         "a failure does not stop the others: their output is in DIR/logs, and DIR/summary.md "
         "lists outcomes and times. Repeating the call runs only the unfinished ones.")
@@ -88,8 +88,8 @@ public:
     const bool isScript = this->Names.size() == 1 && !isAll && FindScript(this->Names.front());
     if (dashes != words.end() && !(isScript && this->Beside.empty()))
     {
-      throw scene::UsageError("bench: got options behind --, expected them for one NAME, a script "
-                              "(bench --list), without --beside");
+      throw scene::UsageError("bench: got options after --, expected one NAME of a Python script "
+                              "(bench --list has them), without --beside");
     }
     {
       vtkNew<vtkRenderWindow> probe; // benches draw in windows of their own

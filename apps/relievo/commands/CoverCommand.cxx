@@ -32,19 +32,29 @@ vtkSmartPointer<vtkPolyData> ReadCandidates(
   scene::CheckReadable(file);
   scene::CheckExtension(file);
   scene::ReadContext context(progress, folders);
-  auto candidates = vtkSmartPointer<vtkPolyData>::New();
-  scene::ForEachDataSet(scene::ReadPoints(file, context), [&candidates](vtkDataSet* data) {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetName("directions");
+  directions->SetNumberOfComponents(3);
+  scene::ForEachDataSet(scene::ReadPoints(file, context), [&](vtkDataSet* data) {
+    vtkPointData* arrays = data->GetPointData();
+    vtkDataArray* given = arrays->GetVectors() ? arrays->GetVectors() : arrays->GetNormals();
     for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
     {
       points->InsertNextPoint(data->GetPoint(i));
+      if (given)
+      {
+        directions->InsertNextTuple(given->GetTuple(i));
+      }
     }
-    candidates->SetPoints(points);
-    vtkPointData* arrays = data->GetPointData();
-    candidates->GetPointData()->SetVectors(
-      arrays->GetVectors() ? arrays->GetVectors() : arrays->GetNormals());
   });
+  auto candidates = vtkSmartPointer<vtkPolyData>::New();
+  candidates->SetPoints(points);
+  if (directions->GetNumberOfTuples() == points->GetNumberOfPoints()) // in all blocks
+  {
+    candidates->GetPointData()->SetVectors(directions);
+  }
   return candidates;
 }
 
@@ -54,12 +64,12 @@ public:
   CoverCommand()
     : Command("cover", "FILE...",
         "cover chooses, among candidate places of cameras, those from which most of a mesh is "
-        "seen, "
-        "and writes the mesh with the arrays covered and candidates, the numbers of chosen and of "
-        "all places that see each cell. The first FILE is the mesh, the others hide it.")
+        "seen, and writes the mesh with the arrays covered and candidates, the numbers of chosen "
+        "and of all places that see each cell. The first FILE is the mesh, the others hide it.")
   {
     vtkRelievoOption& candidates = this->AddWord("--candidates FILE",
-      "the points of this mesh are the candidates; its normals are the directions of cameras",
+      "the points of this mesh are the candidates; its point vectors, or else its normals, are the "
+      "directions of cameras",
       this->Candidates);
     candidates.Missing = "no candidates; give --candidates FILE";
     this->AddMeshOptions(".vtp");

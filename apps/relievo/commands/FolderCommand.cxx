@@ -47,19 +47,30 @@ public:
       folder.pop_back();
     }
     std::error_code trouble;
+    if (std::filesystem::path(folder).extension() != MeshParts::GetFolder(""))
+    {
+      folder =
+        std::filesystem::weakly_canonical(folder, trouble).string(); // of "." and "x.parts/."
+    }
     const bool isDataset = std::filesystem::exists(folder + "/" + scene::DatasetSettings, trouble);
     if (!isDataset && !std::filesystem::exists(folder + "/" + MeshParts::Settings, trouble))
     {
       throw scene::UsageError(folder + ": has neither " + scene::DatasetSettings + " nor " +
         MeshParts::Settings + "; expected a folder that relievo dataset, sun or visible has begun");
     }
+    if (!isDataset && std::filesystem::path(folder).extension() != MeshParts::GetFolder(""))
+    {
+      throw scene::UsageError(folder + ": expected a folder FILE" + MeshParts::GetFolder("") +
+        ", whose name says which FILE merge writes");
+    }
     const scene::Messages::Scope scope;
     if (this->Kind == Merge)
     {
       return MergeParts(folder, isDataset);
     }
+    const auto check = this->Kind == Status ? scene::WorkCheck::Records : scene::WorkCheck::Files;
     const scene::WorkState state =
-      isDataset ? scene::VerifyDataset(folder) : MeshParts(folder).Verify();
+      isDataset ? scene::VerifyDataset(folder, check) : MeshParts(folder).Verify(check);
     if (this->Kind == Status)
     {
       std::fputs(scene::PartProgress::GetText(folder).c_str(), stdout);

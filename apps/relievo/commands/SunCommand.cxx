@@ -63,7 +63,7 @@ public:
     MeshParts parts(MeshParts::GetFolder(this->File));
     const int up = ReadMeshes(this->Names, this->AllowedFolders, this->Sun, progress);
     this->Sun->SetUpAxis(this->Up < 0 ? up : this->Up);
-    if (this->IsPart && !parts.Begin(this->Rows.Name, this->GetWords(), this->Sun, this->Part))
+    if (this->IsPart && !parts.Begin(this->Rows.Name, this->DescribeSun(), this->Sun, this->Part))
     {
       return 0;
     }
@@ -84,6 +84,12 @@ public:
   }
 
 private:
+  // The words, and the axis that points up, which may come from the first file.
+  std::string DescribeSun()
+  {
+    return this->GetWords() + " --up=" + std::string(1, "xyz"[this->Sun->GetUpAxis()]);
+  }
+
   void TakePlace(const std::string& value)
   {
     const std::vector<double> place =

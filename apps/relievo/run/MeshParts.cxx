@@ -55,12 +55,20 @@ vtkIdType GetLength(vtkPolyData* mesh, const std::string& kind)
   return kind == Kinds[0] ? mesh->GetNumberOfCells() : mesh->GetNumberOfPoints();
 }
 
-// A mesh's shape: its points and cells, not its arrays.
+// A mesh's shape: its points, cells and normals, not its other arrays.
 void AddMesh(scene::FileHash& hash, vtkPolyData* mesh)
 {
   const auto add = [&hash](const std::vector<double>& values) {
     hash.Add(values.data(), values.size() * sizeof(double));
   };
+  add({ static_cast<double>(mesh->GetNumberOfPoints()),
+    static_cast<double>(mesh->GetNumberOfCells()) });
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; normals && i < normals->GetNumberOfTuples(); ++i)
+  {
+    const double* normal = normals->GetTuple3(i);
+    add({ normal[0], normal[1], normal[2] });
+  }
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     const double* point = mesh->GetPoint(i);
@@ -92,7 +100,9 @@ bool IsRecord(const Json& record, const scene::WorkPart& part)
   };
   if (!record.is_object() || record.value("part", Json()) != part.Number ||
     record.value("of", Json()) != part.Count || !record.contains("arrays") ||
-    !record["arrays"].is_array())
+    !record["arrays"].is_array() || !record.contains("active") || !record["active"].is_object() ||
+    !std::all_of(record["active"].begin(), record["active"].end(),
+      [](const Json& name) { return name.is_string(); }))
   {
     return false;
   }
@@ -140,7 +150,7 @@ bool MeshParts::Begin(const std::string& command, const std::string& words,
       AddMesh(hash, vtkPolyData::SafeDownCast(filter->GetInputDataObject(port, i)));
     }
   }
-  scene::OpenWorkFolder(this->Folder, Settings,
+  this->Hash = scene::OpenWorkFolder(this->Folder, Settings,
     { { "version", RELIEVO_VERSION }, { "command", command }, { "words", words },
       { "meshes", hash.Finish() }, { "parts", part.Count } });
   if (this->Has(part))
@@ -181,7 +191,8 @@ bool MeshParts::Has(const scene::WorkPart& part) const
     return false;
   }
   const Json record = Json::parse(scene::ReadWhole(path), nullptr, false);
-  return IsRecord(record, part) && scene::FindDamage(this->Folder, record).empty();
+  return IsRecord(record, part) && record.value("settings", Json()) == this->Hash &&
+    scene::FindDamage(this->Folder, record).empty();
 }
 
 //------------------------------------------------------------------------------
@@ -189,7 +200,7 @@ void MeshParts::Write(const scene::WorkPart& part, vtkPolyData* mesh, vtkPolyDat
   scene::Progress& progress) const
 {
   Json record = { { "part", part.Number }, { "of", part.Count }, { "version", RELIEVO_VERSION },
-    { "arrays", Json::array() }, { "active", Json::object() } };
+    { "settings", this->Hash }, { "arrays", Json::array() }, { "active", Json::object() } };
   std::string bytes;
   for (const char* kind : Kinds)
   {
@@ -235,11 +246,12 @@ void MeshParts::Write(const scene::WorkPart& part, vtkPolyData* mesh, vtkPolyDat
     outputs.Commit();
     record["files"][MeshFile] = scene::FileHash::OfFile(path);
   }
+  scene::CheckSettings(this->Folder, Settings, this->Hash);
   scene::WriteWhole(this->GetPath(part, ".json"), scene::WriteDatasetJson(record));
 }
 
 //------------------------------------------------------------------------------
-scene::WorkState MeshParts::Verify() const
+scene::WorkState MeshParts::Verify(scene::WorkCheck check) const
 {
   const std::string path = this->Folder + "/" + Settings;
   const Json settings = scene::ReadWorkJson(path);
@@ -249,6 +261,7 @@ scene::WorkState MeshParts::Verify() const
   {
     throw scene::FileError(path + ": has no valid number of parts");
   }
+  const std::string hash = scene::FileHash::OfFile(path);
   scene::WorkState state;
   state.Items = "parts";
   state.All = settings["parts"].get<std::size_t>();
@@ -265,23 +278,30 @@ scene::WorkState MeshParts::Verify() const
       continue;
     }
     const Json record = Json::parse(scene::ReadWhole(file), nullptr, false);
-    const std::string damage =
-      IsRecord(record, part) ? scene::FindDamage(this->Folder, record) : "its record";
+    const std::string damage = !IsRecord(record, part) ? "its record"
+      : check == scene::WorkCheck::Files               ? scene::FindDamage(this->Folder, record)
+                                                       : "";
     if (!damage.empty())
     {
       state.Damaged.push_back(name + " (" + damage + ")");
     }
-    else if (record.value("version", Json()) != settings.value("version", Json()))
+    else if (record.value("version", Json()) != settings.value("version", Json()) ||
+      record.value("settings", Json()) != hash)
     {
       state.Foreign.push_back(name);
     }
+  }
+  if (check == scene::WorkCheck::Records)
+  {
+    return state;
   }
   const std::string file = this->GetFile();
   const std::string merged = this->Folder + "/" + MergedFile;
   std::error_code trouble;
   const bool exists = fs::exists(file, trouble);
   if (!exists || !fs::exists(merged, trouble) ||
-    scene::ReadWorkJson(merged) != Json({ { "hash", scene::FileHash::OfFile(file) } }))
+    Json::parse(scene::ReadWhole(merged), nullptr, false) !=
+      Json({ { "hash", scene::FileHash::OfFile(file) } }))
   {
     state.Result = file + (exists ? " is not that of these parts" : " is missing") +
       ": relievo merge " + this->Folder + " writes it";
@@ -292,7 +312,7 @@ scene::WorkState MeshParts::Verify() const
 //------------------------------------------------------------------------------
 std::string MeshParts::Merge(scene::Progress& progress) const
 {
-  scene::WorkState state = this->Verify();
+  scene::WorkState state = this->Verify(scene::WorkCheck::Files);
   state.Result.clear();
   if (!state.IsWhole())
   {

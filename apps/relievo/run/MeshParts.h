@@ -42,8 +42,8 @@ public:
   void End(
     vtkRelievoSightAlgorithm* filter, const scene::WorkPart& part, scene::Progress& progress) const;
 
-  /// What the folder has. Throws FileError.
-  scene::WorkState Verify() const;
+  /// The complete and the missing parts. Throws FileError.
+  scene::WorkState Verify(scene::WorkCheck check) const;
 
   /// Joins all parts to the mesh's file, beside the folder, and returns its path. Throws WorkError
   /// if parts are missing or damaged.
@@ -66,6 +66,7 @@ private:
   void TakeProgress(vtkObject*, unsigned long, void* share);
 
   std::string Folder;
+  std::string Hash; // of the settings
   std::unique_ptr<scene::PartProgress> Shown;
 };
 }

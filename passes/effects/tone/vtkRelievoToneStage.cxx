@@ -112,7 +112,7 @@ void vtkRelievoToneStage::Describe(vtkRelievoStageDescription& description)
     "operator", this->Operator, [this](int which) { this->SetOperator(which); },
     { "clamp", "simple", "reinhard", "reinhard_rgb", "neutral" },
     "Maps light to the display's range: cut off at 1, x / (1 + x), Reinhard's curve on the "
-    "luminance, or on each component; neutral keeps light below 0.8.");
+    "luminance, or on each component; neutral changes light below 0.8 by at most 0.04.");
   description
     .AddNumber(
       "white", this->White, [this](double white) { this->SetWhite(white); }, 0.01, 65504.0, "",
