@@ -36,8 +36,8 @@ std::string FindWhyNot(const std::string& script);
 
 /**
  * Runs a script of this folder. `table`: the file for the standard output, which replaces an older
- * one only if the script succeeds; empty: shown. `quick`: words that are added if rounds are limited
- * (Rounds.h). If the script words request its help, that is shown. Returns 0 when done;
+ * one only if the script succeeds; empty: shown. `quick`: words that are added if rounds are
+ * limited (Rounds.h). If the script words request its help, that is shown. Returns 0 when done;
  * MissingPackage or, for any other failure, 1, with a message.
  */
 int RunScript(const std::string& script, const std::vector<ScriptWord>& given,
