@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Volumes: error and cost of ways to find the light that they let pass, against closed forms (of
-// "waves", which has none, against rays in double, whose row is 0): the grid along a light's rays by
-// its nodes, a march from every place by its step, one in double, and Fourier terms for each ray (J.
-// Jansen, L. Bavoil: Fourier opacity mapping, 2010). Then frames of
-// a volume above a ground: time and memory by its size, beside VTK's plain volume and its
-// volumetric scattering, and the error of the shadow on the ground.
+// "waves", which has none, against rays in double, whose row is 0): the grid along a light's rays
+// by its nodes, a march from every place by its step, one in double, and Fourier terms for each ray
+// (J. Jansen, L. Bavoil: Fourier opacity mapping, 2010). Then frames of a volume above a ground:
+// time and memory by its size, beside VTK's plain volume and its volumetric scattering, and the
+// error of the shadow on the ground.
 #include "VolumeSizes.h"
 
 #include "FrameBench.h"
