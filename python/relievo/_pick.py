@@ -69,8 +69,8 @@ def pick(renderer, x, y, arrays=(), size=None) -> Picked:
 
     The place in a volume follows the rule of stage(renderer, "volumes", rule=..., opacity=...).
 
-    The result, a Picked, is false where there is neither. If no volume has layers, only surfaces are
-    found. Raises ValueError for a pixel outside the picture, and the errors of capture().
+    The result, a Picked, is false where there is neither. If no volume has layers, only surfaces
+    are found. Raises ValueError for a pixel outside the picture, and the errors of capture().
     """
     arrays = [arrays] if isinstance(arrays, str) else list(arrays)
     inside = inner_renderer(renderer)
