@@ -201,8 +201,7 @@ std::string DescribeLights()
     "  sun:TIME,LATITUDE,LONGITUDE     TIME such as 2026-06-21T15:30+02:00\n"
     "  spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees\n"
     "  point:PX,PY,PZ\n"
-    "and may end with ,NAME=VALUE... A sun by angles or TIME gives no light below the "
-    "horizon. Values are";
+    "and may end with ,NAME=VALUE... A sun by TIME gives no light below the horizon. Values are";
   for (const LightValue& value : GetValues())
   {
     text += std::string("\n  ") + value.Form + "  " + value.Help;

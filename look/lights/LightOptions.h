@@ -42,12 +42,9 @@ struct LightChoice
     return this->Time ? GetSunAngles(*this->Time) : this->Angles;
   }
 
-  /// Whether a sun given in this way is below the horizon and gives no light.
-  bool IsNight() const
-  {
-    const std::optional<SunAngles> angles = this->GetAngles();
-    return angles && (angles->Elevation < 0.0 || (this->Time && angles->IsNight()));
-  }
+  /// Whether a sun by date, time and place is below the horizon and gives no light. One by angles
+  /// lights from beneath.
+  bool IsNight() const { return this->Time && GetSunAngles(*this->Time).IsNight(); }
 
   /// Unit direction towards a sun in the world, where `upAxis` (0, 1, 2 for x, y, z) points up.
   std::array<double, 3> GetDirection(int upAxis) const;

@@ -21,15 +21,12 @@ namespace scene
 {
 namespace
 {
-// Explains why a sun gives no light.
+// Explains why a sun by date gives no light.
 void NoteNight(const LightChoice& light)
 {
-  const SunAngles angles = *light.GetAngles();
-  const double below = -angles.Elevation;
-  Messages::Note("--light sun:" +
-    (light.Time ? WriteSunTime(*light.Time) : WriteNumbers({ angles.Azimuth, angles.Elevation })) +
-    ": night: the sun is " + WriteNumber(std::round(10.0 * below) / 10.0) +
-    " degrees below the horizon");
+  const double below = -GetSunAngles(*light.Time).Elevation;
+  Messages::Note("--light sun:" + WriteSunTime(*light.Time) + ": night: the sun is " +
+    WriteNumber(std::round(10.0 * below) / 10.0) + " degrees below the horizon");
 }
 }
 

@@ -37,7 +37,8 @@ std::optional<double> FindSunElevation(const std::vector<LightChoice>& lights)
     const std::optional<SunAngles> angles = light.GetAngles();
     if (angles)
     {
-      highest = std::max(highest.value_or(-90.0), angles->Elevation);
+      const double lowest = light.Time ? -90.0 : 0.0; // a sun by angles lights from beneath
+      highest = std::max({ highest.value_or(lowest), lowest, angles->Elevation });
     }
   }
   return highest;

@@ -14,7 +14,8 @@
 
 namespace scene
 {
-/// The greatest elevation, in degrees, of suns given by time or angles; none: there are none.
+/// The greatest elevation, in degrees, of suns given by time or angles; none: there are none. Those
+/// by angles are never below 0: they light from beneath.
 std::optional<double> FindSunElevation(const std::vector<LightChoice>& lights);
 
 /// Colours of a background from bottom to top, as they are at noon, for an elevation of the sun:
