@@ -161,7 +161,8 @@ class Hand:
             sensor = relievo.Pinhole(K, (160, 120)).look_at((0, 1, 5), (0, 0, 0))
             names.update(
                 K=K, R=sensor.R, t=sensor.t, D=(0.01, 0), point=(0, 0, 0), points=numpy.eye(3),
-                sensors=[sensor], terrain=points(), town=names["model"])
+                sensors=[sensor], terrain=points(), town=names["model"], site=names["model"],
+                masts=3 * numpy.eye(3))
             names["sensor"] = names.get("sensor", sensor)
             temperature = numpy_to_vtk(numpy.arange(float(names["model"].GetNumberOfPoints())))
             temperature.SetName("temperature")
@@ -209,7 +210,7 @@ class Snippets(unittest.TestCase):
         self.addCleanup(kept.cleanup)
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(kept.name)
-        for name in ("bike.obj", "motorBike.obj"):
+        for name in ("bike.obj", "motorBike.obj", "town.obj"):
             pathlib.Path(name).write_text(CUBE)
         pathlib.Path("bunny.off").symlink_to(DATA / "bunny.off")
         light = numpy.random.default_rng(2).random((32, 64, 3), numpy.float32)

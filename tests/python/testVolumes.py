@@ -786,7 +786,7 @@ class Stages(unittest.TestCase):
             self.assertFalse(pathlib.Path(folder, "a").exists())
             # A volume takes the next number whose name no actor has.
             relievo.write_dataset(scene.renderer, [camera], folder + "/b", "coco", size=SIZE,
-                                  names={0: "volume_0"})  # fmt: skip
+                                  objects=["volume_0"])  # fmt: skip
             coco = json.loads(pathlib.Path(folder, "b", "instances.json").read_text())
         self.assertEqual([each["name"] for each in coco["categories"]], ["volume_0", "volume_1"])
 
