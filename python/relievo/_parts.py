@@ -23,6 +23,8 @@ class Part:
     Calling a part computes it, in a process of its own, and returns the paths of its files; a part
     that is complete only returns them. It can be pickled, and be called on any machine that has
     the files: `words`, the call of the command, names files relative to `folder`.
+
+    Raises, when it is called, ValueError for invalid words and RuntimeError if the work fails.
     """
 
     words: tuple

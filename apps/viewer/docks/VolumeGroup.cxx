@@ -10,6 +10,7 @@
 
 #include <QCheckBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QSignalBlocker>
 
 namespace viewer
@@ -34,6 +35,7 @@ VolumeGroup::VolumeGroup(Document* document, Reader read, QWidget* parent)
   this->Step->setObjectName("step");
   this->Step->setToolTip("Step of rays, in distances of the image's points: smaller steps are "
                          "slower and show fewer rings");
+  this->GetRows()->addRow(new QLabel("Opacity curve", this));
   this->GetRows()->addRow(this->Curve);
   this->GetRows()->addRow(this->Found);
   this->GetRows()->addRow("Step", this->Step);

@@ -3,7 +3,6 @@
 #include "PictureView.h"
 
 #include "Errors.h"
-#include "QtVersions.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkGenericOpenGLRenderWindow.h"
@@ -29,39 +28,6 @@ constexpr int Patience = 100;   // acceptable delay for opening a menu while sam
 
 // Time for all samples together, relative to a single one: 13 on llvmpipe, less on GPUs.
 constexpr int SamplesOfAll = 13;
-
-// Events by which a user acts, or begins to.
-bool IsInput(QEvent::Type type)
-{
-  switch (type)
-  {
-    case QEvent::KeyPress:
-    case QEvent::KeyRelease:
-    case QEvent::ShortcutOverride:
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::Wheel:
-    case QEvent::TouchBegin:
-    case QEvent::TouchUpdate:
-    case QEvent::TouchEnd:
-    case QEvent::TabletPress:
-    case QEvent::TabletMove:
-    case QEvent::TabletRelease:
-    case QEvent::NativeGesture:
-    case QEvent::InputMethod:
-    case QEvent::ContextMenu:
-    case QEvent::FocusIn:
-    case QEvent::WindowActivate:
-    case QEvent::DragEnter:
-    case QEvent::DragMove:
-    case QEvent::Drop:
-      return true;
-    default:
-      return false;
-  }
-}
 
 // The program handles keys, and the picture its clipping planes.
 class MouseStyle : public vtkInteractorStyleTrackballCamera
@@ -116,20 +82,8 @@ PictureView::PictureView(QWidget* parent)
   this->Soon.setSingleShot(true);
   QObject::connect(&this->Soon, &QTimer::timeout, this, [this] { this->renderWindow()->Render(); });
   qApp->installEventFilter(this);
-  vtkNew<vtkCallbackCommand> check;
-  check->SetClientData(this);
-  check->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
-    static_cast<PictureView*>(self)->MakeWay();
-  });
-  this->Checking = window->AddObserver(vtkCommand::AbortCheckEvent, check);
   this->Rest.setSingleShot(true);
   QObject::connect(&this->Rest, &QTimer::timeout, this, &PictureView::GoOn);
-  QObject::connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
-    if (this->Rest.isActive())
-    {
-      this->Rest.start(this->GetPause());
-    }
-  });
 }
 
 //------------------------------------------------------------------------------
@@ -137,7 +91,6 @@ PictureView::~PictureView()
 {
   this->renderWindow()->RemoveObservers(vtkCommand::EndEvent);
   this->renderWindow()->RemoveObserver(this->Beginning);
-  this->renderWindow()->RemoveObserver(this->Checking);
   this->makeCurrent();
   this->Shown.reset();
   this->doneCurrent();
@@ -167,16 +120,13 @@ void PictureView::OnDrawn()
 {
   vtkRelievoPass* frame = this->Shown ? this->Shown->GetFrame() : nullptr;
   const int left = frame ? frame->GetSamplesLeft() : 0;
-  const bool whole = this->renderWindow()->GetAbortRender() == 0;
-  if (left > 0 && left >= this->SamplesLeft && whole) // this was the first sample
+  if (left > 0 && left >= this->SamplesLeft) // this was the first sample
   {
     this->renderWindow()->WaitForCompletion();
     frame->SetSamplesOneByOne(!this->Hurried && this->Begun.elapsed() * SamplesOfAll > Patience);
   }
   this->SamplesLeft = left;
-  // A slow sample waits until this one is on the screen: it would give way to its events.
-  const int pause = std::max(this->GetPause(), this->IsSlow() ? BusyPause : 0);
-  left > 0 || !whole ? this->Rest.start(pause) : this->Rest.stop();
+  left > 0 ? this->Rest.start(0) : this->Rest.stop();
   Q_EMIT this->drawn();
 }
 
@@ -193,60 +143,32 @@ void PictureView::SetHurried(bool on)
 //------------------------------------------------------------------------------
 bool PictureView::eventFilter(QObject* watched, QEvent* event)
 {
-  if (IsInput(event->type()))
+  switch (event->type())
   {
-    this->SinceInput.start();
-    this->GaveWay = false;
-    if (this->Rest.isActive() && this->IsSlow())
-    {
-      this->Rest.start(InputPause);
-    }
+    case QEvent::KeyPress:
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseMove:
+    case QEvent::Wheel:
+      this->SinceInput.start();
+      break;
+    default:
+      break;
   }
   return this->QVTKOpenGLNativeWidget::eventFilter(watched, event);
 }
 
 //------------------------------------------------------------------------------
-// Aborts a sample while an event waits for it. If that was no input, the next sample is drawn to
-// its end, so that a steady flow of other events does not keep the picture from being completed.
-void PictureView::MakeWay()
-{
-  if (this->Yields && HasPendingEvents())
-  {
-    this->renderWindow()->SetAbortRender(1);
-    this->GaveWay = true;
-  }
-}
-
-//------------------------------------------------------------------------------
-// Whether a sample takes long.
-bool PictureView::IsSlow() const
-{
-  vtkRelievoPass* frame = this->Shown ? this->Shown->GetFrame() : nullptr;
-  return frame && frame->GetSamplesOneByOne();
-}
-
-//------------------------------------------------------------------------------
-// Milliseconds until the next sample.
-int PictureView::GetPause() const
-{
-  return this->IsSlow() && this->SinceInput.isValid()
-    ? static_cast<int>(std::max<qint64>(0, InputPause - this->SinceInput.elapsed()))
-    : 0;
-}
-
-//------------------------------------------------------------------------------
-// Draws the remaining samples, unless the user has a menu open or drags: input takes precedence.
+// Draws the remaining samples, unless the user has a menu open, drags, or has just acted: input
+// takes precedence.
 void PictureView::GoOn()
 {
-  if (QApplication::activePopupWidget() || QApplication::mouseButtons() != Qt::NoButton)
-  {
-    this->Rest.start(BusyPause);
-    return;
-  }
-  this->Yields = this->IsSlow() && !this->GaveWay;
-  this->GaveWay = false;
-  this->renderWindow()->Render();
-  this->Yields = false;
+  vtkRelievoPass* frame = this->Shown->GetFrame();
+  const bool slow = frame && frame->GetSamplesOneByOne();
+  const bool busy = QApplication::activePopupWidget() ||
+    QApplication::mouseButtons() != Qt::NoButton ||
+    (slow && this->SinceInput.isValid() && this->SinceInput.elapsed() < InputPause);
+  busy ? this->Rest.start(BusyPause) : this->renderWindow()->Render();
 }
 
 //------------------------------------------------------------------------------

@@ -61,9 +61,6 @@ public:
   /// samples are drawn one by one. Default off.
   void SetHurried(bool on);
 
-  /// Milliseconds between the last event and the next sample; -1: none follows.
-  int GetWait() const { return this->Rest.isActive() ? this->Rest.interval() : -1; }
-
 Q_SIGNALS:
   void drawn();
 
@@ -88,20 +85,14 @@ private:
   void LetLinesBeWide();
   void OnDrawn();
   void GoOn();
-  void MakeWay();
-  bool IsSlow() const;
-  int GetPause() const;
 
   std::unique_ptr<Picture> Shown;
   unsigned long Beginning;
-  unsigned long Checking;
   bool Picking = false;
   QTimer Soon, Rest;
   QElapsedTimer Begun; // start of the frame
   QElapsedTimer SinceInput;
   bool Hurried = false;
-  bool Yields = false;  // a sample that waiting events may abort is being drawn
-  bool GaveWay = false; // the last such sample was aborted, and no input has followed
   int SamplesLeft = 0;
 };
 }

@@ -6,7 +6,6 @@
 #ifndef QtVersions_h
 #define QtVersions_h
 
-#include <QAbstractEventDispatcher>
 #include <QCoreApplication>
 #include <QDropEvent>
 
@@ -19,16 +18,6 @@ inline void UseHighDpi()
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-#endif
-}
-
-// Whether events wait; Qt 6 does not say, and then none do.
-inline bool HasPendingEvents()
-{
-#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
-  return QAbstractEventDispatcher::instance()->hasPendingEvents();
-#else
-  return false;
 #endif
 }
 
