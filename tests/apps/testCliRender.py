@@ -721,7 +721,8 @@ class Bench(CliTest):
 
     def test_scripts(self):
         """Options after -- are for a script alone; failures name it."""
-        self.refused("bench", "depth", "--", "--seed", "7", status=2, says="expected one NAME of a Python script")
+        self.refused("bench", "depth", "--", "--seed", "7", status=2,
+                     says="expected one NAME of a Python script")  # fmt: skip
         for words, says in (
             (("compare", "--", "--no-such"), "bench: compare.py: it ended with status 2"),
             (("studio",), "bench: studio_samples.py: set RELIEVO_DATA"),
