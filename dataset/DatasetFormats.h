@@ -87,8 +87,8 @@ public:
   virtual void WriteView(const DatasetStyle& style, const DatasetView& view,
     const DatasetObjects& objects, const Json& record, const std::string& name) const = 0;
 
-  /// The indices of these complete records: each file's name, and its content.
-  virtual std::vector<std::pair<std::string, Json>> MakeIndex(const DatasetStyle&,
+  /// The indices of these complete records: each file's name, and its bytes.
+  virtual std::vector<std::pair<std::string, std::string>> MakeIndex(const DatasetStyle&,
     const std::vector<std::string>& /*objects*/, const std::vector<Json>&) const
   {
     return {};

@@ -113,7 +113,7 @@ void WriteDatasetIndex(const DatasetStyle& style, const std::vector<std::string>
 {
   for (const auto& [name, content] : style.Format->MakeIndex(style, objects, records))
   {
-    WriteWhole(style.Folder + "/" + name, WriteDatasetJson(content));
+    WriteWhole(style.Folder + "/" + name, content);
   }
 }
 
@@ -132,8 +132,7 @@ WorkState VerifyDataset(const std::string& folder, WorkCheck check)
     std::error_code trouble;
     const std::string path = folder + "/" + name;
     const bool exists = fs::exists(path, trouble);
-    const bool isRight =
-      exists && FileHash::OfFile(path) == FileHash::Of(WriteDatasetJson(content));
+    const bool isRight = exists && FileHash::OfFile(path) == FileHash::Of(content);
     if (!isRight && state.Result.empty())
     {
       state.Result = name + (exists ? " is not that of these views" : " is missing") +

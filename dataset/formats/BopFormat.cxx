@@ -55,7 +55,7 @@ public:
     }
   }
 
-  std::vector<std::pair<std::string, Json>> MakeIndex(const DatasetStyle& style,
+  std::vector<std::pair<std::string, std::string>> MakeIndex(const DatasetStyle& style,
     const std::vector<std::string>&, const std::vector<Json>& records) const override
   {
     const double scale = style.MillimetersPerUnit;
@@ -90,8 +90,9 @@ public:
           { "visib_fract", whole > 0.0 ? seen / whole : 0.0 } });
       }
     }
-    return { { "scene_gt.json", poses }, { "scene_gt_info.json", infos },
-      { "scene_camera.json", cameras } };
+    return { { "scene_gt.json", WriteDatasetJson(poses) },
+      { "scene_gt_info.json", WriteDatasetJson(infos) },
+      { "scene_camera.json", WriteDatasetJson(cameras) } };
   }
 
   void WriteModels(

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "DatasetFiles.h"
 #include "DatasetFormats.h"
 #include "DatasetView.h"
 
@@ -38,7 +39,7 @@ public:
     WriteDatasetPictures(style, view, "images", name);
   }
 
-  std::vector<std::pair<std::string, Json>> MakeIndex(const DatasetStyle& style,
+  std::vector<std::pair<std::string, std::string>> MakeIndex(const DatasetStyle& style,
     const std::vector<std::string>& objects, const std::vector<Json>& records) const override
   {
     Json images = Json::array();
@@ -72,9 +73,11 @@ public:
           { "amodal_area", object["amodal_pixels"] }, { "amodal_bbox", object["amodal_box"] } });
       }
     }
-    return { { "instances.json",
-      { { "info", { { "description", "made by Relievo" }, { "depth_step", style.DepthStep } } },
-        { "images", images }, { "annotations", annotations }, { "categories", categories } } } };
+    const Json all = {
+      { "info", { { "description", "made by Relievo" }, { "depth_step", style.DepthStep } } },
+      { "images", images }, { "annotations", annotations }, { "categories", categories }
+    };
+    return { { "instances.json", WriteDatasetJson(all) } };
   }
 };
 }

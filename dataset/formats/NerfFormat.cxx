@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "DatasetFiles.h"
 #include "DatasetFormats.h"
 #include "Errors.h"
 
@@ -83,7 +84,7 @@ public:
     WriteDatasetPictures(style, view, "images", name);
   }
 
-  std::vector<std::pair<std::string, Json>> MakeIndex(const DatasetStyle& style,
+  std::vector<std::pair<std::string, std::string>> MakeIndex(const DatasetStyle& style,
     const std::vector<std::string>&, const std::vector<Json>& records) const override
   {
     const bool isFisheye = !records.empty() && IsFisheye(records[0]["camera"]); // then all are
@@ -119,7 +120,7 @@ public:
       }
       all["frames"].push_back(frame);
     }
-    return { { "transforms.json", all } };
+    return { { "transforms.json", WriteDatasetJson(all) } };
   }
 };
 }

@@ -33,15 +33,15 @@ public:
     WriteDatasetPictures(style, view, "pictures", name);
   }
 
-  void WriteIndex(const DatasetStyle& style, const std::vector<std::string>&,
-    const std::vector<Json>& records) const override
+  std::vector<std::pair<std::string, std::string>> MakeIndex(const DatasetStyle&,
+    const std::vector<std::string>&, const std::vector<Json>& records) const override
   {
     std::string lines;
     for (const Json& record : records)
     {
       lines += record["camera"]["t"].dump() + "\\n";
     }
-    WriteWhole(style.Folder + "/lines.txt", lines);
+    return { { "lines.txt", lines } };
   }
 };
 }
