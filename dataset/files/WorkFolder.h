@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * A folder in which several processes, or one that was interrupted, do one piece of work: its
- * settings, the progress of its parts, and what is complete.
+ * settings, the progress of its parts, and its complete items.
  */
 #ifndef WorkFolder_h
 #define WorkFolder_h

@@ -79,7 +79,7 @@ private:
   std::vector<std::uint64_t> Bits;
 };
 
-// Limits of what a camera sees.
+// Limits of a camera's sight.
 struct Limits
 {
   double Farthest; // 0: none
@@ -207,7 +207,7 @@ public:
     return false;
   }
 
-  // An upper bound of the weight that so many candidates can cover: for any set, what is covered
+  // An upper bound of the weight that so many candidates can cover: for any set, the weight covered
   // and the largest gains on top of it (monotone submodular functions), of which the smaller one.
   double GetBound(int places)
   {

@@ -444,13 +444,10 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   run.Prepare();
   in.Depth->Begin(context.Scene, window);
   run.DrawLightMaps();
-  if (!context.Refines || !context.IsAborted()) // otherwise the window keeps the picture
-  {
-    this->NumberOfRenderedProps = run.DrawDelegate(in.Picture, in.Delegate);
-    run.DrawStages();
-    run.Present();
-    in.SmoothFirst(context);
-  }
+  this->NumberOfRenderedProps = run.DrawDelegate(in.Picture, in.Delegate);
+  run.DrawStages();
+  run.Present();
+  in.SmoothFirst(context);
   in.Depth->End();
   run.Finish();
   in.Timer.End("frame");

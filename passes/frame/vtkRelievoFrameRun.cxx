@@ -18,7 +18,6 @@
 #include "vtkRelievoPointGroups.h"
 #include "vtkRelievoSampleAccumulator.h"
 #include "vtkRelievoSampleRaster.h"
-#include "vtkRelievoSampleStrips.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoTranslucentLayers.h"
 #include "vtkRenderPass.h"
@@ -303,20 +302,13 @@ void vtkRelievoFrameRun::Prepare()
 }
 
 //------------------------------------------------------------------------------
-// Runs the next stages of the order, up to a slot; an aborted sample is discarded, and needs none.
+// Runs the next stages of the order, up to a slot.
 void vtkRelievoFrameRun::RunStages(int lastSlot)
 {
   const std::vector<int>& order = this->Planned.GetOrder();
   for (; this->Next < order.size() && this->Nodes[order[this->Next]].Slot <= lastSlot; ++this->Next)
   {
-    if (!this->Context.Refines || !this->Context.IsAborted())
-    {
-      this->Run(order[this->Next]);
-      if (this->Context.Refines && this->Context.OneByOne)
-      {
-        this->Context.Window->WaitForCompletion(); // work in the queue cannot be aborted
-      }
-    }
+    this->Run(order[this->Next]);
   }
 }
 
@@ -387,8 +379,6 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
   };
   vtkRelievoDelegate::DelegateEvents events;
   HiddenPoints hidden;
-  vtkRelievoSampleStrips strips;
-  const bool inStrips = this->CanDrawInStrips();
   // Opaque geometry: stages write next to the colour while VTK draws it.
   if (!running.empty())
   {
@@ -400,16 +390,8 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
         this->CheckRaster();
       }
       this->FindHidden(hidden);
-      if (inStrips)
-      {
-        strips.Begin(this->Context);
-      }
     };
     events.OpaqueEnds = [&]() {
-      if (inStrips)
-      {
-        strips.End(this->Context);
-      }
       hidden.clear();
       vtkRelievoLeakedTextureUnits::Release(this->Context.Window);
       if (this->Context.Lattice)
@@ -445,7 +427,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
           this->DrawStages();
           this->Present();
         });
-        aside = !this->Context.Picture || !this->Context.Last || this->KeepsPicture;
+        aside = !this->Context.Picture || !this->Context.Last;
         if (aside)
         {
           this->Color.BeginAside(this->Context);
@@ -471,20 +453,6 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     this->Color.EndAside(this->Context);
   }
   return drawn;
-}
-
-//------------------------------------------------------------------------------
-// Whether a further sample's opaque geometry can be drawn several times: stages would number draw
-// calls, and other props than actors do not expect it.
-bool vtkRelievoFrameRun::CanDrawInStrips() const
-{
-  const vtkRelievoFrameContext& context = this->Context;
-  vtkProp** const props = context.State->GetPropArray();
-  return context.Refines && context.OneByOne && context.OwnSteps && !context.Nested &&
-    std::all_of(
-      this->Nodes.begin(), this->Nodes.end(), vtkRelievoSampleAccumulator::IsOfAnyRaster) &&
-    std::all_of(props, props + context.State->GetPropArrayCount(),
-      [](vtkProp* prop) { return vtkActor::SafeDownCast(prop) || vtkActor2D::SafeDownCast(prop); });
 }
 
 //------------------------------------------------------------------------------
@@ -567,11 +535,6 @@ void vtkRelievoFrameRun::Present()
     return;
   }
   this->Presented = true;
-  this->KeepsPicture = this->Context.Refines && this->Context.IsAborted();
-  if (this->KeepsPicture)
-  {
-    return;
-  }
   this->Samples.Accumulate(this->Context);
   if (this->Context.Picture && this->Context.Last && this->Context.Color)
   {

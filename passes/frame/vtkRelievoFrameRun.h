@@ -93,7 +93,6 @@ private:
   void PresentColor();
   void CheckRaster();
   using HiddenPoints = std::vector<std::unique_ptr<vtkRelievoHiddenPoints>>;
-  bool CanDrawInStrips() const;
   void FindHidden(HiddenPoints& hidden) const;
 
   vtkRelievoFrameContext& Context;
@@ -112,7 +111,6 @@ private:
   bool ColorOpen = false;                       // the delegate draws into the colour target
   bool StagesDrawn = false;
   bool Presented = false;
-  bool KeepsPicture = false; // the window does, because the sample is aborted
 };
 
 #endif

@@ -44,14 +44,14 @@ bool IsOneOfSeveral(const vtkRelievoFrameContext& context)
   }
   return false;
 }
-}
 
 //------------------------------------------------------------------------------
 // Display stages process the mean, however it was made.
-bool vtkRelievoSampleAccumulator::IsOfAnyRaster(const vtkRelievoFramePlan::Node& node)
+bool IsOfAnyRaster(const vtkRelievoFramePlan::Node& node)
 {
   return !node.Needed || node.Delegate || node.Declaration.AnyRaster ||
     node.Slot == vtkRelievoStageDescription::DISPLAY;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -256,9 +256,6 @@ void vtkRelievoSampleAccumulator::Choose(vtkRelievoFrameContext& context)
   }
   context.Last = !atOnce || next + 1 >= demand.Samples || this->Turns >= demand.Samples ||
     context.Lattice != nullptr;
-  context.Refines = context.Picture && context.Last && context.Sample > 0 && !context.Lattice &&
-    !context.Controller && this->Turns == 1 && demand.Color && demand.Layers.empty() &&
-    context.ReadBack.empty() && context.Window->GetRenderers()->GetNumberOfItems() == 1;
 }
 
 //------------------------------------------------------------------------------

@@ -41,9 +41,6 @@ public:
   // After the drawing, in which mappers may have marked themselves as modified.
   void End(const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages);
 
-  // Whether the stage works with any number of drawings of the opaque surfaces.
-  static bool IsOfAnyRaster(const vtkRelievoFramePlan::Node& node);
-
   // Whether the layer was gathered in the last frame; Read() adds its mean to the image.
   bool Has(const std::string& layer) const;
   std::string Read(const std::string& layer, vtkImageData* image);

@@ -229,25 +229,6 @@ CameraPath CameraPath::Read(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-std::string CameraPath::Write() const
-{
-  std::string text = "{\"keys\": [";
-  for (const CameraKey& key : this->Keys)
-  {
-    text += (&key == &this->Keys.front() ? "\n  {\"time\": " : ",\n  {\"time\": ") +
-      WriteNumber(key.Time);
-    const Three* values[] = { &key.Place.Position, &key.Place.FocalPoint, &key.Place.ViewUp };
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      text += std::string(", \"") + Names[i] + "\": [" +
-        WriteNumbers({ values[i]->begin(), values[i]->end() }) + "]";
-    }
-    text += "}";
-  }
-  return text + "\n]}\n";
-}
-
-//------------------------------------------------------------------------------
 bool CameraPath::IsClosed() const
 {
   return this->Keys.size() > 2 && AreSame(this->Keys.front().Place, this->Keys.back().Place);

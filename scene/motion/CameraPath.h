@@ -32,9 +32,6 @@ public:
   /// Reads JSON or CSV, by the file's extension; throws UsageError or FileError.
   static CameraPath Read(const std::string& file);
 
-  /// The keys as JSON, with all digits.
-  std::string Write() const;
-
   const std::vector<CameraKey>& GetKeys() const { return this->Keys; }
   bool IsClosed() const;
 

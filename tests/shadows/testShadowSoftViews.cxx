@@ -16,11 +16,8 @@
 #include <vtkCommand.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyDataAlgorithm.h>
-#include <vtkProperty.h>
-#include <vtkRelievoStage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <cstdlib>
 #include <string>
@@ -158,78 +155,6 @@ void TestAborted()
   SamePicture(SoftStage().DrawAll(), stage.DrawAll(), "after an aborted frame");
 }
 
-// The window's picture, which is not drawn anew.
-vtkSmartPointer<vtkImageData> Read(vtkRenderWindow* window)
-{
-  vtkNew<vtkWindowToImageFilter> read;
-  read->SetInput(window);
-  read->ReadFrontBufferOff();
-  read->ShouldRerenderOff();
-  read->Update();
-  return read->GetOutput();
-}
-
-// A further sample that the program aborts, whenever it is asked, leaves no trace, and the strips
-// are the whole picture.
-void TestAbortedSamples()
-{
-  // Stages that allow strips; lines, which are not drawn in all samples at once.
-  const auto smooth = [](SoftStage& stage) {
-    stage.GetFrame()->GetStage("antialias")->EnabledOn();
-    stage.GetFrame()->GetStage("antialias")->SetParameter("samples", std::to_string(Samples));
-    stage.GetShadows()->SetSoftMaps(4);
-    stage.GetShadows()->SetLampRadius(0.);
-    stage.Box->GetProperty()->EdgeVisibilityOn();
-  };
-  SoftStage atOnce;
-  smooth(atOnce);
-  atOnce.GetFrame()->WaitForSamplesOn();
-  const auto truth = Picture(atOnce.Window);
-  SoftStage stage;
-  smooth(stage);
-  stage.GetFrame()->SamplesOneByOneOn();
-  stage.Window->Render();
-  stage.Window->Render();
-  struct Abort
-  {
-    vtkRenderWindow* Window;
-    int Asked;
-    int At;
-  } abort{ stage.Window, 0, 0 };
-  vtkNew<vtkCallbackCommand> check;
-  check->SetClientData(&abort);
-  check->SetCallback([](vtkObject*, unsigned long, void* data, void*) {
-    auto* own = static_cast<Abort*>(data);
-    if (++own->Asked == own->At)
-    {
-      own->Window->SetAbortRender(1);
-    }
-  });
-  const unsigned long observer = stage.Window->AddObserver(vtkCommand::AbortCheckEvent, check);
-  const int left = stage.GetFrame()->GetSamplesLeft();
-  const auto before = Read(stage.Window);
-  int aborted = 0;
-  for (bool whole = false; !whole;)
-  {
-    abort.Asked = 0;
-    ++abort.At;
-    stage.Window->Render();
-    whole = abort.Asked < abort.At; // nobody asked so late
-    const int now = stage.GetFrame()->GetSamplesLeft();
-    if (!whole && now == left)
-    {
-      ++aborted;
-      SamePicture(before, Read(stage.Window), "while samples are aborted");
-    }
-    whole = whole || now < left;
-  }
-  RELIEVO_CHECK_THAT(
-    aborted > 2, std::to_string(aborted) + " moments at which a sample was aborted");
-  RELIEVO_CHECK(stage.GetFrame()->GetSamplesLeft() == left - 1);
-  stage.Window->RemoveObserver(observer);
-  SamePicture(truth, stage.DrawAll(), "after aborted samples");
-}
-
 // Two views that one frame pass draws in turn have all their samples in each.
 void TestSeveralViews()
 {
@@ -289,7 +214,6 @@ RELIEVO_TEST_CASE_APART(testShadowSoftViews)
   relievoTest::Session session;
   TestUnsteady();
   TestAborted();
-  TestAbortedSamples();
   TestAbortedMaps();
   TestAbortedTimes();
   TestSeveralViews();

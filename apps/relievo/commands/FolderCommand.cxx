@@ -115,7 +115,8 @@ std::unique_ptr<Command> MakeMerge()
 std::unique_ptr<Command> MakeVerify()
 {
   return std::make_unique<FolderCommand>("verify", FolderCommand::Verify,
-    "verify checks what DIR has, a data set or FILE.parts, and changes nothing: what is missing, "
+    "verify checks DIR, a data set or FILE.parts, and changes nothing: it lists items that are "
+    "missing, "
     "damaged (by hashes), or written by another version. Exit status: 0 if it is whole, otherwise "
     "3.");
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFrameContext.h"
 
-#include "vtkCommand.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoBoundFramebuffer.h"
 #include "vtkRelievoFrameColor.h"
 #include "vtkRelievoResource.h"
@@ -35,16 +33,6 @@ vtkRelievoResource::~vtkRelievoResource() = default;
 std::string vtkRelievoResource::GetDefines() const
 {
   return std::string();
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoFrameContext::IsAborted() const
-{
-  if (!this->Window->GetAbortRender())
-  {
-    this->Window->InvokeEvent(vtkCommand::AbortCheckEvent);
-  }
-  return this->Window->GetAbortRender() != 0;
 }
 
 //------------------------------------------------------------------------------

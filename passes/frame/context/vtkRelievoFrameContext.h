@@ -96,13 +96,6 @@ public:
   bool OneByOne = false; // drawing at once has failed, or is not wanted
   std::string Obstacle;  // the obstacle in the scene, in words
 
-  // Whether the frame draws a further sample of a picture that the window already shows.
-  bool Refines = false;
-
-  // Whether the program has aborted the frame (vtkRenderWindow::SetAbortRender). Asks its observers
-  // of AbortCheckEvent, which VTK's own CheckAbortStatus asks at most five times a second.
-  bool IsAborted() const;
-
   // Lamps with requested shadows, which the resource `lamp shadows` has; from Prepare on.
   std::vector<vtkRelievoCastingLamp> CastingLamps;
 
