@@ -106,6 +106,11 @@
 #define RELIEVO_VTK_RESERVE 1
 #endif
 
+// Gradients behind the scene have noise of one level, which differs between parts of a picture.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+#define RELIEVO_VTK_GRADIENT_NOISE 1
+#endif
+
 // Image readers read bytes in memory from a vtkMemoryResourceStream, not from SetMemoryBuffer.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #define RELIEVO_VTK_IMAGE_STREAMS 1

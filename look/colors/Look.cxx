@@ -22,6 +22,7 @@
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoMaterial.h"
+#include "vtkRelievoVTKVersions.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
@@ -451,6 +452,9 @@ void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, b
     renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
     renderer->SetBackground2(top[0], top[1], top[2]);
     renderer->SetGradientBackground(look.Background.size() > 1);
+#ifdef RELIEVO_VTK_GRADIENT_NOISE
+    renderer->DitherGradientOff(); // one picture on all versions, whole or in bands
+#endif
   }
   SetColors(renderer, look, arrays, mapped);
   ForEachActor(renderer, [&](vtkActor* actor) {
