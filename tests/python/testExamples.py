@@ -62,6 +62,7 @@ WRITES = {
     "30_skull.py": ["skull.png", "skull_depth.png"],
     "31_smoke.py": ["smoke.png"],
     "32_labels.py": ["labels.png", "labels_depth.png"],
+    "33_work_in_parts.py": ["hours.png", "hours.vtp", "hours.vtp.parts"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
@@ -86,6 +87,7 @@ SMALLER = {
     "30_skull.py": {"SIZE": (160, 120)},
     "31_smoke.py": {"SIZE": (240, 136), "POINTS": 32},
     "32_labels.py": {"SIZE": (160, 120), "POINTS": 24},
+    "33_work_in_parts.py": {"PARTS": 2, "MINUTES": 240, "SIZE": (160, 100)},
 }
 
 
