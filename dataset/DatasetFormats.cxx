@@ -97,6 +97,35 @@ void WriteLayers(const DatasetStyle& style, const DatasetView& view, const std::
 }
 
 //------------------------------------------------------------------------------
+bool DatasetStyle::IsValidation(std::size_t view) const
+{
+  const auto place = static_cast<double>(view);
+  return std::floor((place + 1.0) * this->Validation) > std::floor(place * this->Validation);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> DatasetStyle::GetCategories() const
+{
+  std::vector<std::string> all;
+  for (const std::string& category : this->Categories)
+  {
+    if (std::find(all.begin(), all.end(), category) == all.end())
+    {
+      all.push_back(category);
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+std::size_t DatasetStyle::GetCategory(std::size_t object) const
+{
+  const std::vector<std::string> all = this->GetCategories();
+  const auto found = std::find(all.begin(), all.end(), this->Categories[object]);
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+//------------------------------------------------------------------------------
 void DatasetStyle::Write(const std::string& path, const std::string& bytes) const
 {
   WriteWhole(this->Folder + "/" + path, bytes);

@@ -32,7 +32,18 @@ struct DatasetStyle
   const DatasetFormat* Format = nullptr;
   double DepthStep = 0.0; ///< world units per step of 16-bit depth
   double MillimetersPerUnit = 1000.0;
-  std::vector<std::string> Layers; ///< requested layers
+  std::vector<std::string> Layers;     ///< requested layers
+  std::vector<std::string> Categories; ///< the category of each object
+  double Validation = 0.0;             ///< share of the views for validation
+
+  /// Whether a view is for validation: these views are spread evenly.
+  bool IsValidation(std::size_t view) const;
+
+  ///@{
+  /// All categories, in the order of their first objects, and the place there of an object's.
+  std::vector<std::string> GetCategories() const;
+  std::size_t GetCategory(std::size_t object) const;
+  ///@}
 
   /// Hashes of the files written since it was last emptied, by path in the folder.
   mutable std::map<std::string, std::string> Hashes;
@@ -65,6 +76,8 @@ public:
   bool NeedsK = false;           ///< each camera must have a K
   bool NeedsSilhouettes = false; ///< of objects, up to a picture's size beyond the picture
   bool HasDepthSteps = true;     ///< writes 16-bit depth
+  bool HasCategories = false;    ///< can hold several objects of one category
+  bool HasSplit = false;         ///< tells views for validation from those for training
 
   /// Throws UsageError for a layer that cannot be written together with the others.
   virtual void CheckLayer(const std::string&) const {}

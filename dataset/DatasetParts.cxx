@@ -62,6 +62,13 @@ Dataset ReadDataset(const std::string& folder, WorkCheck check)
   set.Style.DepthStep = Need(settings, path, "depth_step", isNumber);
   set.Style.MillimetersPerUnit = Need(settings, path, "mm_per_unit", isNumber);
   set.Objects = Need(settings, path, "objects", isTexts).get<std::vector<std::string>>();
+  set.Style.Categories =
+    Need(settings, path, "categories", isTexts).get<std::vector<std::string>>();
+  set.Style.Validation = Need(settings, path, "validation", isNumber);
+  if (set.Style.Categories.size() != set.Objects.size())
+  {
+    throw FileError(path + ": has another number of categories than of objects");
+  }
   set.State.Items = "views";
   set.State.All = Need(settings, path, "views", [](const Json& json) {
     return json.is_number_unsigned() && json <= std::numeric_limits<int>::max();

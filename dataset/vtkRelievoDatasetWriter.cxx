@@ -18,14 +18,17 @@
 #include "vtkObjectFactory.h"
 #include "vtkRelievoCameraModel.h"
 #include "vtkRelievoLensCamera.h"
+#include "vtkRelievoOption.h"
 #include "vtkRelievoRayLayers.h"
 #include "vtkRelievoScene.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <fnmatch.h>
 #include <limits>
 #include <map>
+#include <utility>
 
 vtkStandardNewMacro(vtkRelievoDatasetWriter);
 
@@ -74,6 +77,7 @@ struct vtkRelievoDatasetWriter::Internals
   std::vector<vtkSmartPointer<vtkRelievoCameraModel>> Cameras;
   std::vector<std::string> Layers;
   std::map<int, std::string> Names;
+  std::vector<std::pair<std::string, std::string>> Categories; // pattern of objects, category
 
   std::string GetRecord(std::size_t view) const
   {
@@ -96,7 +100,8 @@ struct vtkRelievoDatasetWriter::Internals
 
   Json ReadRecord(const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const;
 
-  void Check(const scene::DatasetFormat& format) const;
+  void Check(const scene::DatasetFormat& format, double validation) const;
+  std::vector<std::string> GetCategories(const std::vector<std::string>& objects) const;
   void CheckIsPinhole() const;
   double GetDepthStep(const scene::DatasetObjects& objects) const;
   void WriteIndex(const scene::DatasetStyle& style, const std::vector<std::string>& objects) const;
@@ -128,6 +133,9 @@ vtkRelievoDatasetWriter::vtkRelievoDatasetWriter()
       [this](double millimeters) { this->SetMillimetersPerUnit(millimeters); }, 0.0, infinity, "",
       "For bop: millimetres per world unit.")
     .Open = true;
+  list.AddNumber(
+    "validation", this->Validation, [this](double share) { this->SetValidation(share); }, 0.0, 1.0,
+    "", "For coco, nerf, yolo and kitti: share of the views for validation, spread evenly.");
   list.AddWhole(
     "seed", this->Seed, [this](int seed) { this->SetSeed(seed); }, least, most, "",
     "Seed of random poses and suns.");
@@ -277,6 +285,20 @@ void vtkRelievoDatasetWriter::SetObjectName(int actor, RELIEVO_TEXT name)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetCategory(RELIEVO_TEXT pattern, RELIEVO_TEXT category)
+{
+  this->Internal->Categories.emplace_back(pattern, category);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::RemoveAllCategories()
+{
+  this->Internal->Categories.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::SetDescription(RELIEVO_TEXT text)
 {
   this->Internal->Description = text;
@@ -290,8 +312,29 @@ std::string vtkRelievoDatasetWriter::GetDescription()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoDatasetWriter::Internals::Check(const scene::DatasetFormat& format) const
+void vtkRelievoDatasetWriter::Internals::Check(
+  const scene::DatasetFormat& format, double validation) const
 {
+  const auto refuse = [&format](const std::string& what, bool scene::DatasetFormat::*has) {
+    std::vector<std::string> others;
+    for (const auto& other : scene::GetDatasetFormats())
+    {
+      if ((*other).*has)
+      {
+        others.push_back(other->Name);
+      }
+    }
+    throw scene::UsageError(what + ": cannot be written in the format " + format.Name +
+      "; expected the format " + vtkRelievoEither(others));
+  };
+  if (!this->Categories.empty() && !format.HasCategories)
+  {
+    refuse("category " + this->Categories[0].second, &scene::DatasetFormat::HasCategories);
+  }
+  if (validation > 0.0 && !format.HasSplit)
+  {
+    refuse("validation", &scene::DatasetFormat::HasSplit);
+  }
   if (!this->Renderer)
   {
     throw scene::UsageError("there is no renderer; give one by SetRenderer");
@@ -345,6 +388,32 @@ void vtkRelievoDatasetWriter::Internals::CheckIsPinhole() const
         "volumes are not in; switch solid of the stage volumes off");
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// The category of each object. Throws UsageError for patterns without an object.
+std::vector<std::string> vtkRelievoDatasetWriter::Internals::GetCategories(
+  const std::vector<std::string>& objects) const
+{
+  std::vector<std::string> categories = objects;
+  for (const auto& [pattern, category] : this->Categories)
+  {
+    bool isFound = false;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+    {
+      if (fnmatch(pattern.c_str(), objects[i].c_str(), 0) == 0)
+      {
+        categories[i] = category;
+        isFound = true;
+      }
+    }
+    if (!isFound)
+    {
+      throw scene::UsageError("category " + category + ": no object is called " + pattern +
+        "; expected a name or pattern of " + scene::Join(objects, ", "));
+    }
+  }
+  return categories;
 }
 
 //------------------------------------------------------------------------------
@@ -445,7 +514,7 @@ void vtkRelievoDatasetWriter::WriteViews()
   Internals& self = *this->Internal;
   const scene::DatasetFormat& format =
     *scene::GetDatasetFormats()[static_cast<std::size_t>(this->Format)];
-  self.Check(format);
+  self.Check(format, this->Validation);
   const int views = this->GetNumberOfViews();
   const scene::WorkPart part{ this->Part, this->NumberOfParts };
   const bool isPart = part.Count > 1;
@@ -482,9 +551,12 @@ void vtkRelievoDatasetWriter::WriteViews()
   style.DepthStep = this->DepthStep > 0.0 ? this->DepthStep : self.GetDepthStep(objects);
   style.MillimetersPerUnit = this->MillimetersPerUnit;
   style.Layers = self.Layers;
+  style.Categories = self.GetCategories(names);
+  style.Validation = this->Validation;
   const std::string settings = scene::OpenWorkFolder(self.Directory, scene::DatasetSettings,
     { { "version", RELIEVO_VERSION }, { "format", format.Name }, { "views", views },
-      { "objects", names }, { "layers", self.Layers }, { "depth_step", style.DepthStep },
+      { "objects", names }, { "categories", style.Categories }, { "validation", style.Validation },
+      { "layers", self.Layers }, { "depth_step", style.DepthStep },
       { "mm_per_unit", this->MillimetersPerUnit }, { "random_sun", this->RandomSun },
       { "seed", this->Seed }, { "up_axis", std::string(1, "xyz"[this->UpAxis]) },
       { "scene", self.Description } });

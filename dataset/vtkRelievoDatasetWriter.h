@@ -67,7 +67,9 @@ public:
               ///< size beyond the picture
     COCO = 1, ///< instances.json, with run-length masks
     NERF = 2, ///< transforms.json
-    NPZ = 3   ///< arrays that numpy.load() reads
+    NPZ = 3,  ///< arrays that numpy.load() reads
+    YOLO = 4, ///< boxes as lines of text for Ultralytics' detectors, and data.yaml
+    KITTI = 5 ///< boxes as lines of text as in KITTI's object benchmark
   };
   ///@{
   /** The data set's format. Default BOP. The parameter `format` accepts further formats by name. */
@@ -113,6 +115,25 @@ public:
   vtkGetMacro(ObjectsByBlock, bool);
   vtkBooleanMacro(ObjectsByBlock, bool);
   void SetObjectName(int actor, RELIEVO_TEXT name);
+  ///@}
+
+  ///@{
+  /**
+   * The category of objects whose names match a pattern with * and ?, for the formats COCO, YOLO
+   * and KITTI; a later pattern replaces earlier ones. Default: each object is a category with its
+   * own name. Patterns without an object are an error of Write().
+   */
+  void SetCategory(RELIEVO_TEXT pattern, RELIEVO_TEXT category);
+  void RemoveAllCategories();
+  ///@}
+
+  ///@{
+  /**
+   * Share of the views for validation, 0 to 1, spread evenly, for the formats COCO, NERF, YOLO and
+   * KITTI. Default 0: no view.
+   */
+  vtkSetClampMacro(Validation, double, 0.0, 1.0);
+  vtkGetMacro(Validation, double);
   ///@}
 
   ///@{
@@ -229,6 +250,7 @@ private:
   bool ObjectsByBlock = false;
   double DepthStep = 0.0;
   double MillimetersPerUnit = 1000.0;
+  double Validation = 0.0;
   bool RandomSun = false;
   int Seed = 0;
   int UpAxis = 1;

@@ -17,6 +17,8 @@ public:
   CocoFormat()
     : DatasetFormat("coco")
   {
+    this->HasCategories = true;
+    this->HasSplit = true;
   }
 
   bool IsObject(const Json& object) const override
@@ -40,15 +42,31 @@ public:
   }
 
   std::vector<std::pair<std::string, std::string>> MakeIndex(const DatasetStyle& style,
-    const std::vector<std::string>& objects, const std::vector<Json>& records) const override
+    const std::vector<std::string>&, const std::vector<Json>& records) const override
+  {
+    if (style.Validation == 0.0)
+    {
+      return { { "instances.json", MakeInstances(style, records) } };
+    }
+    std::vector<Json> training, validation;
+    for (const Json& record : records)
+    {
+      (style.IsValidation(record["view"]) ? validation : training).push_back(record);
+    }
+    return { { "instances_train.json", MakeInstances(style, training) },
+      { "instances_val.json", MakeInstances(style, validation) } };
+  }
+
+private:
+  static std::string MakeInstances(const DatasetStyle& style, const std::vector<Json>& records)
   {
     Json images = Json::array();
     Json annotations = Json::array();
     Json categories = Json::array();
-    for (std::size_t i = 0; i < objects.size(); ++i)
+    for (const std::string& name : style.GetCategories())
     {
       categories.push_back(
-        { { "id", i + 1 }, { "name", objects[i] }, { "supercategory", "object" } });
+        { { "id", categories.size() + 1 }, { "name", name }, { "supercategory", "object" } });
     }
     for (const Json& record : records)
     {
@@ -66,9 +84,11 @@ public:
         const auto runs = [&](const char* name) -> Json {
           return { { "size", { rows, columns } }, { "counts", object[name] } };
         };
+        const std::size_t number = object["object"]; // from 1
         annotations.push_back({ { "id", annotations.size() + 1 }, { "image_id", view },
-          { "category_id", object["object"] }, { "segmentation", runs("visible_runs") },
-          { "area", object["visible_pixels"] }, { "bbox", object["visible_box"] }, { "iscrowd", 0 },
+          { "category_id", style.GetCategory(number - 1) + 1 },
+          { "segmentation", runs("visible_runs") }, { "area", object["visible_pixels"] },
+          { "bbox", object["visible_box"] }, { "iscrowd", 0 },
           { "amodal_segmentation", runs("amodal_runs") },
           { "amodal_area", object["amodal_pixels"] }, { "amodal_bbox", object["amodal_box"] } });
       }
@@ -77,7 +97,7 @@ public:
       { "info", { { "description", "made by Relievo" }, { "depth_step", style.DepthStep } } },
       { "images", images }, { "annotations", annotations }, { "categories", categories }
     };
-    return { { "instances.json", WriteDatasetJson(all) } };
+    return WriteDatasetJson(all);
   }
 };
 }

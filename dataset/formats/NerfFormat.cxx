@@ -44,6 +44,7 @@ public:
     : DatasetFormat("nerf")
   {
     this->NeedsK = true;
+    this->HasSplit = true;
   }
 
   void CheckCamera(vtkRelievoCameraModel* camera, vtkRelievoCameraModel* first,
@@ -96,6 +97,12 @@ public:
     if (alike && !records.empty())
     {
       all.update(DescribeIntrinsics(records[0]["camera"]));
+    }
+    for (const Json& record : style.Validation > 0.0 ? records : std::vector<Json>())
+    {
+      const auto view = record["view"].get<std::size_t>();
+      all[style.IsValidation(view) ? "val_filenames" : "train_filenames"].push_back(
+        "images/" + WriteDatasetNumber(view) + ".png");
     }
     all["frames"] = Json::array();
     for (const Json& record : records)

@@ -24,10 +24,11 @@ _SIZE = (1024, 768)
 _OF_WRITER = keywords_of(vtkRelievoDatasetWriter(), {})
 # The order of positional arguments; the writer's other parameters come last.
 _ORDER = ("renderer", "cameras", "directory", "format", "layers", "size", "objects", "depth_step",
-          "mm_per_unit", "seed", "random_sun", "up", "views", "description", "progress", "lens")
+          "mm_per_unit", "seed", "random_sun", "up", "views", "description", "progress", "lens",
+          "categories")
 _OTHERS = {
     **dict.fromkeys(("renderer", "cameras", "directory"), inspect.Parameter.empty),
-    **dict.fromkeys(("size", "views", "progress", "lens")),
+    **dict.fromkeys(("size", "views", "progress", "lens", "categories")),
     "layers": (), "objects": "actor", "description": "",
 }  # fmt: skip
 _ALL = {**_OTHERS, **defaults_of(vtkRelievoDatasetWriter(), _OF_WRITER), "depth_step": None}
@@ -57,6 +58,7 @@ def write_dataset(*arguments, **given):
     for name in _names(given["layers"]) if given["layers"] else ():
         writer.AddLayer(name)
     _name_objects(writer, made, given["objects"])
+    _name_categories(writer, given["categories"])
     size = given["size"]
     _add_views(writer, given["cameras"], None if size is None else _pixels(size), given["lens"])
     found = kept(made)
@@ -92,6 +94,8 @@ progress: called with the share done after each view; if it returns False, the c
     RuntimeError, and an equal call continues from there.
 lens: the camera for poses from a text or a file: a text or a calibration's file as for lens(),
     or a CameraModel; None for a pinhole of 30 degrees.
+categories: {{category: [objects]}} for the formats coco, yolo and kitti: names of objects, or
+    patterns with * and ?; other objects are categories of their own.
 
 Returns the number of views written. Raises ValueError for wrong arguments, such as settings
 other than those that the folder was begun with, OSError for files that cannot be written or
@@ -145,6 +149,22 @@ def _name_objects(writer, renderer, objects):
                          "renderer.GetActors()")
     for number, name in enumerate(names):
         writer.SetObjectName(number, name or "")
+
+
+def _name_categories(writer, categories):
+    if categories is None:
+        return
+    try:
+        pairs = [(name, [objects] if isinstance(objects, str) else list(objects))
+                 for name, objects in categories.items()]
+    except (AttributeError, TypeError):
+        pairs = [(None, [])]
+    if not all(isinstance(each, str) for name, objects in pairs for each in (name, *objects)):
+        raise ValueError(f"categories: got {describe(categories)}, expected a dictionary of "
+                         "categories with the names of their objects")
+    for name, objects in pairs:
+        for each in objects:
+            writer.SetCategory(each, name)
 
 
 def _add_views(writer, cameras, size, lens):

@@ -64,7 +64,8 @@ def replace(path, old, new):
 def add(tree):
     """The class, its word, and their documentation."""
     (tree / "dataset" / "formats" / "LinesFormat.cxx").write_text(CLASS, encoding="utf-8")
-    replace(tree / "dataset" / "CMakeLists.txt", "Bop Coco Nerf Npz)", "Bop Coco Nerf Npz Lines)")
+    replace(tree / "dataset" / "CMakeLists.txt", "Nerf Npz Yolo Kitti)",
+            "Nerf Npz Yolo Kitti Lines)")
     replace(tree / "docs" / "datasets.md", "| `npz` | `NUMBER.npz`",
             "| `lines` | `pictures/`, `depth/` and `lines.txt`, where cameras stand |\n"
             "| `npz` | `NUMBER.npz`")  # fmt: skip
@@ -73,8 +74,8 @@ def add(tree):
 def on_the_command_line(run, build, folder):
     """In the help and the completion's words, refused and written."""
     relievo = build / "bin" / "relievo"
-    assert "bop, coco, nerf, npz or lines (bop)" in " ".join(run([relievo, "--help"]).split())
-    assert "\ndataset --format value bop coco nerf npz lines\n" in run([relievo, "--words"])
+    assert "npz, yolo, kitti or lines (bop)" in " ".join(run([relievo, "--help"]).split())
+    assert "bop coco nerf npz yolo kitti lines\n" in run([relievo, "--words"])
     mesh = folder / "seen.off"
     mesh.write_text("OFF\n3 1 0\n-1 -1 0\n1 -1 0\n-1 1 0\n3 0 1 2\n", encoding="utf-8")
     words = [relievo, "dataset", mesh, "--poses", "orbit:3", "--size", "32x24", "--format", "lines",
@@ -84,7 +85,7 @@ def on_the_command_line(run, build, folder):
     assert (folder / "lines" / "pictures" / "000002.png").exists()
     assert not (folder / "lines" / "models").exists()
     wrong = run([*words, folder / "no", "--lens", "equirectangular"], status=2)
-    assert "which has no K; expected the format coco or npz" in wrong, wrong
+    assert "which has no K; expected the format coco, npz or yolo" in wrong, wrong
 
 
 PYTHON = """
@@ -94,7 +95,7 @@ import sys
 import relievo
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-assert "nerf, npz, lines" in relievo.write_dataset.__doc__
+assert "npz, yolo, kitti, lines" in relievo.write_dataset.__doc__
 folder = sys.argv[1] + "/python"
 relievo.write_dataset(vtkSphereSource(), "orbit:2", folder, "lines", size=(32, 24))
 assert len(open(folder + "/lines.txt").readlines()) == 2

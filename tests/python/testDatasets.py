@@ -413,6 +413,115 @@ class Datasets(unittest.TestCase):
                         for each in ("one", "two")]  # fmt: skip
             self.assertLess(numpy.abs(pictures[0] - pictures[1]).mean(), 0.1)
 
+    def test_boxes_in_lines(self):
+        """Lines of yolo and kitti have the boxes, categories and shares of the masks of npz."""
+        renderer = heap()
+        cameras = [*around(), around()[0]]
+        names = ["floor", "ball", "box_0", "box_1"]
+        common = {"objects": names, "categories": {"a box": ["box_*"]}, "validation": 0.5}
+        relievo.write_dataset(renderer, cameras, self.folder / "npz", "npz", objects=names)
+        for name in ("yolo", "kitti"):
+            relievo.write_dataset(renderer, cameras, self.folder / name, name, **common)
+        yolo, kitti = self.folder / "yolo", self.folder / "kitti" / "training"
+        self.assertEqual((yolo / "data.yaml").read_text(),
+                         'train: images/train\nval: images/val\nnames:\n  0: "floor"\n'
+                         '  1: "ball"\n  2: "a box"\n')  # fmt: skip
+        for part, views in (("train", (0, 2)), ("val", (1, 3))):
+            listed = [f"{view:06d}" for view in views]
+            for kind, ending in (("images", "png"), ("labels", "txt")):
+                self.assertEqual(sorted(each.name for each in (yolo / kind / part).iterdir()),
+                                 [f"{name}.{ending}" for name in listed])  # fmt: skip
+            lists = self.folder / "kitti" / "ImageSets" / f"{part}.txt"
+            self.assertEqual(lists.read_text().split(), listed)
+        hidden = 0
+        for view in range(4):
+            found = numpy.load(self.folder / "npz" / f"{view:06d}.npz")
+            seen = [i for i in range(4) if found["visible_masks"][i].any()]
+            hidden += 4 - len(seen)
+            part = "val" if view in (1, 3) else "train"
+            lines = (yolo / "labels" / part / f"{view:06d}.txt").read_text().splitlines()
+            boxes = []
+            for i in seen:
+                left, top, wide, high = box_of(found["visible_masks"][i])
+                boxes.append([min(i, 2), (left + wide / 2) / SIZE[0], (top + high / 2) / SIZE[1],
+                              wide / SIZE[0], high / SIZE[1]])  # fmt: skip
+            numpy.testing.assert_allclose(
+                [list(map(float, line.split())) for line in lines], boxes, rtol=1e-15)
+            lines = (kitti / "label_2" / f"{view:06d}.txt").read_text().splitlines()
+            self.assertEqual(len(lines), len(seen))
+            for i, line in zip(seen, lines):
+                name, beyond, level, *rest = line.split()
+                self.assertEqual(name, ["floor", "ball", "a_box"][min(i, 2)])
+                whole = found["amodal_masks"][i]
+                share = found["visible_masks"][i].sum() / whole.sum()
+                self.assertEqual(int(level), 0 if share >= 0.95 else 1 if share >= 0.5 else 2)
+                left, top, wide, high = box_of(whole)
+                self.assertEqual(rest, ["-10", *map(str, (left, top, left + wide - 1,
+                                                          top + high - 1)),
+                                        *"-1 -1 -1 -1000 -1000 -1000 -10".split()])  # fmt: skip
+                inside = left > 0 and top > 0 and left + wide < SIZE[0] and top + high < SIZE[1]
+                self.assertLess(float(beyond), 1e-9 if inside else 1)
+            words = (kitti / "calib" / f"{view:06d}.txt").read_text().split()
+            self.assertEqual(words[0], "P2:")
+            matrix = numpy.array(words[1:], float).reshape(3, 4)
+            numpy.testing.assert_array_equal(matrix, numpy.column_stack([found["K"], [0, 0, 0]]))
+        one = read_json(yolo / "views" / "000001.json")["files"]
+        self.assertIn("labels/val/000001.txt", one)
+
+    def test_truncated(self):
+        """KITTI's share beyond the picture, of a plate that is half outside, is a half."""
+        renderer = vtkRenderer()
+        add(renderer, plate(0.475))  # 9.5 pixels
+        camera = relievo.Pinhole([100, 0, 0, 0, 100, 20, 0, 0, 1], (61, 41))  # x = 0 is column 0
+        relievo.write_dataset(
+            renderer, camera.look_at((0, 0, 5), (0, 0, 0)), self.folder, "kitti")
+        line = (self.folder / "training" / "label_2" / "000000.txt").read_text().split()
+        self.assertEqual(line[4:8], ["0", "11", "9", "29"])
+        self.assertAlmostEqual(float(line[1]), 9 / 19, delta=1e-9)
+
+    def test_categories_and_validation(self):
+        """Categories group objects; views for validation are apart, also after parts are merged."""
+        renderer = heap()
+        cameras = [*around(), *around()]
+        for each in ("one", "many"):
+            given = {} if each == "one" else {"categories": {"solid": ["b*"]}, "validation": 0.4}
+            relievo.write_dataset(renderer, cameras, self.folder / each, "coco",
+                                  objects=["floor", "ball", "box", "box2"], **given)  # fmt: skip
+        one = read_json(self.folder / "one" / "instances.json")
+        halves = [read_json(self.folder / "many" / f"instances_{part}.json")
+                  for part in ("train", "val")]  # fmt: skip
+        self.assertFalse((self.folder / "many" / "instances.json").exists())
+        # floor((v + 1) * 0.4) > floor(v * 0.4)
+        self.assertEqual([[each["id"] for each in half["images"]] for half in halves],
+                         [[0, 1, 3, 5], [2, 4]])  # fmt: skip
+        for half in halves:
+            self.assertEqual([each["name"] for each in half["categories"]], ["floor", "solid"])
+            views = {each["id"] for each in half["images"]}
+            expected = [(each["image_id"], min(each["category_id"], 2), each["bbox"])
+                        for each in one["annotations"] if each["image_id"] in views]  # fmt: skip
+            self.assertEqual([(each["image_id"], each["category_id"], each["bbox"])
+                              for each in half["annotations"]], expected)  # fmt: skip
+            self.assertEqual([each["id"] for each in half["annotations"]],
+                             list(range(1, len(expected) + 1)))  # fmt: skip
+        relievo.write_dataset(renderer, cameras, self.folder / "nerf", "nerf", validation=0.4)
+        index = read_json(self.folder / "nerf" / "transforms.json")
+        self.assertEqual(index["val_filenames"], ["images/000002.png", "images/000004.png"])
+        self.assertEqual(len(index["train_filenames"]), 4)
+        folder = self.folder / "none"
+        for words, says in (
+            ({"format": "bop", "validation": 0.5}, "validation: cannot be written in the format "
+             "bop; expected the format coco, nerf, yolo or kitti"),
+            ({"format": "npz", "categories": {"a": ["ball"]}}, "category a: cannot be written in "
+             "the format npz; expected the format coco, yolo or kitti"),
+            ({"format": "coco", "validation": 1.5}, "validation: got 1.5, expected .*0 to 1"),
+            ({"format": "coco", "categories": {"a": ["mug*"]}},
+             r"category a: no object is called mug\*; expected a name or pattern of actor_0"),
+            *(({"format": "coco", "categories": wrong}, "categories: got .*expected a dictionary")
+              for wrong in (["a"], {"a": 5}, {"a": [5]}, {5: ["a"]})),
+        ):
+            with self.subTest(words), self.assertRaisesRegex(ValueError, says):
+                relievo.write_dataset(renderer, cameras, folder, **words)
+
     def test_plates_that_nearly_touch(self):
         """The nearer plate has all of its pixels, however far away the planes of the camera are."""
         renderer = vtkRenderer()
@@ -529,10 +638,12 @@ class Datasets(unittest.TestCase):
     def test_nothing_there(self):
         renderer = vtkRenderer()
         camera = around()[0]
-        for name in ("bop", "coco", "nerf", "npz"):
+        for name in ("bop", "coco", "nerf", "npz", "yolo", "kitti"):
             relievo.write_dataset(renderer, camera, self.folder / name, name)
         self.assertEqual(read_json(self.folder / "bop" / "scene_gt.json"), {"0": []})
         self.assertEqual(read_json(self.folder / "coco" / "instances.json")["annotations"], [])
+        for labels in ("yolo/labels/train", "kitti/training/label_2"):
+            self.assertEqual((self.folder / labels / "000000.txt").read_text(), "")
         found = numpy.load(self.folder / "npz" / "000000.npz")
         self.assertEqual(found["visible_masks"].shape, (0, SIZE[1], SIZE[0]))
         self.assertTrue(numpy.isinf(found["depth"]).all())

@@ -125,9 +125,16 @@ public:
           this->Objects = static_cast<DatasetParts>(scene::ParseChoice("--objects", value, kinds));
         })
       .Words = kinds;
+    this
+      ->Add("--category NAME=OBJECT,...",
+        "for coco, yolo and kitti: the category of these objects; names may have * and ? (each "
+        "object is a category)",
+        [this](const std::string& value) { this->TakeCategory(value); })
+      .Repeats = true;
     this->AddParameters(this->Writer->GetParameters(),
       { { "format", "--format FORMAT" }, { "depth_step", "--depth-step S" },
-        { "mm_per_unit", "--mm-per-unit M" }, { "up", "" } });
+        { "mm_per_unit", "--mm-per-unit M" }, { "validation", "--validation SHARE" },
+        { "up", "" } });
     this->AddPartOption("views");
     this->Add("--views A:B",
       "draws only the views from A to B - 1, as one of several processes (all)",
@@ -215,6 +222,24 @@ private:
         scene::RefuseValue("--layers", value, "names between commas, such as depth,normal");
       }
       this->Writer->AddLayer(layer);
+    }
+  }
+
+  void TakeCategory(const std::string& value)
+  {
+    const std::size_t equals = value.find('=');
+    const std::vector<std::string> objects = equals == std::string::npos
+      ? std::vector<std::string>()
+      : scene::SplitEscaped(value.substr(equals + 1), ',');
+    if (equals == 0 || objects.empty() ||
+      std::find(objects.begin(), objects.end(), "") != objects.end())
+    {
+      scene::RefuseValue(
+        "--category", value, "a category and names of objects, such as mug=mug,mug_2");
+    }
+    for (const std::string& object : objects)
+    {
+      this->Writer->SetCategory(object, value.substr(0, equals));
     }
   }
 
