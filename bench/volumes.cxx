@@ -29,6 +29,7 @@
 #include <vtkRelievoOpticalDepths.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
+#include <vtkRelievoPlacedVolume.h>
 #include <vtkRelievoVolumeExtinction.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>

@@ -29,6 +29,17 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoOption
   bool OfOutputs = false; // concerns outputs, not the scene
   std::string Sets;       // stage parameters that it sets: "shadows:map_size", "tone", "any"
 
+  // Whether it also switches the stage: its words are `off` and the choices of the parameter in
+  // Sets.
+  bool IsSwitch = false;
+
+  // The option and the value that it implies: "--shadows", "map"; empty: none.
+  std::vector<std::string> Implies;
+
+  // The stage and the parameter in Sets.
+  std::string GetStage() const { return this->Sets.substr(0, this->Sets.find(':')); }
+  std::string GetParameter() const { return this->Sets.substr(this->GetStage().size() + 1); }
+
   struct Bounds
   {
     double Least = 0.0;

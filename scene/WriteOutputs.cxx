@@ -321,7 +321,6 @@ void WritePNG(const Scene& scene, vtkImageData* picture, bool isEmpty, const Ren
   {
     SetResolution(outputs.Temporary(options.PNG), options.Look.Print.DPI);
   }
-  progress.End();
   Messages::Check(options.PNG, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
   if (ShowsGroundAlone(scene, options))
   {
@@ -347,7 +346,6 @@ void WriteEXR(
   writer->SetFileName(outputs.Temporary(path).c_str());
   progress.Observe(writer);
   writer->Write();
-  progress.End();
   Messages::Check(path, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
 }
 
@@ -384,7 +382,7 @@ void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages
   for (const StageChoice& choice : stages)
   {
     vtkRelievoStage* stage = pass->GetStage(choice.Name);
-    if (ran.count(stage) == 0 && choice.Option != "--preset")
+    if (ran.count(stage) == 0 && choice.Option != "--preset" && !IsOfSwitch(choice))
     {
       const std::string asked =
         choice.Option + (choice.Option == StageChoice().Option ? " " + choice.Name : "");
@@ -551,7 +549,6 @@ vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* p
       throw WorkError(what + ": stopped");
     }
   }
-  progress.End();
   if (options.Lens.empty()) // a lens's last view may show less than the picture
   {
     NoteIdleStages(pass, options.Stages, ran);

@@ -78,7 +78,7 @@ std::vector<unsigned char> ReadBytes(const std::string& path, std::uintmax_t& re
   if (unknown || size > gltf::MostBytes - std::min(read, gltf::MostBytes))
   {
     throw GltfError("makes more than " + std::to_string(gltf::MostBytes >> 30) +
-      " GB with what was read before it; at most these are read");
+      " GB with the files that were read before it; at most these are read");
   }
   read += size;
   std::ifstream file(path, std::ios::binary);
@@ -260,9 +260,7 @@ void GltfContainer::CheckExtensions() const
     const std::string name = required.At(i).GetText("");
     if (KnownExtensions.count(name) == 0)
     {
-      required.At(i).Fail("is " + name +
-        ", which is not read, and without it the file is not "
-        "what it should be");
+      required.At(i).Fail("is " + name + ", which is not supported, and the file requires it");
     }
   }
 }

@@ -267,7 +267,7 @@ void GltfDocument::CheckDecoded(const GltfValue& place, GltfNumbers& numbers) co
   if (layout.Count != numbers.Count || layout.Components != numbers.Components)
   {
     accessor.Fail("has " + std::to_string(layout.Count) + " values of " +
-      std::to_string(layout.Components) + " numbers, and what was compressed has " +
+      std::to_string(layout.Components) + " numbers, and its compressed data have " +
       std::to_string(numbers.Count) + " of " + std::to_string(numbers.Components));
   }
   if (layout.Normalized)

@@ -36,7 +36,7 @@ constexpr int DeepestTree = 2000;
 
 // For files with impossible counts.
 const char* const TooMuch =
-  "what it says that it holds does not fit into memory, expected counts that its size bears out; "
+  "its counts are too large for memory, expected counts that fit the size of the file; "
   "is it damaged?";
 
 class Handler : public Assimp::ProgressHandler

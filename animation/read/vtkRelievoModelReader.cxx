@@ -40,6 +40,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -84,6 +85,46 @@ vtkRelievoModelReader::vtkRelievoModelReader()
 {
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(2);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  vtkRelievoParameterList& list = this->Parameters;
+  list.AddNumber("blend_weight", vtkRelievoMember(BlendWeight), 0., 1., "",
+    "The share of the blended animation: at 0 it has no effect, at 1 it replaces the other.");
+  list.AddChoice("pose", vtkRelievoMember(Pose), { "rest", "nodes", "animation", "bind" },
+    "Motion of the meshes: none, by the file's nodes, or by the animation. At rest the meshes "
+    "carry their bones for the filter Skin. Bind shows the same meshes, and the skeleton where it "
+    "was bound to them.");
+  list
+    .AddChoice("method", vtkRelievoMember(Method), { "linear", "dual_quaternion", "key_matrix" },
+      "How bones are blended. Files are made for Linear. Dual Quaternion keeps the volume of "
+      "joints that twist. Key Matrix blends the matrices of whole keys.")
+    .ChoiceLabels = { "Linear", "Dual Quaternion", "Key Matrix" };
+  list
+    .AddWhole("weights_per_point", vtkRelievoMember(WeightsPerPoint), 1, 8, "",
+      "Maximum number of bones of a point; the strongest are kept and rescaled.")
+    .Advanced = true;
+  list
+    .AddFlag("slerp", vtkRelievoMember(Slerp),
+      "Whether rotations have constant speed between keys (slerp). Otherwise they take the same "
+      "way, a little unevenly (nlerp).")
+    .Advanced = true;
+  list
+    .AddNumber("key_rate", vtkRelievoMember(KeyRate), 0., infinity, "",
+      "Whole keys per second that the method Key Matrix blends; 0 uses every time at which any "
+      "node has a key.")
+    .Advanced = true;
+  list.AddFlag("loop", vtkRelievoMember(Loop),
+    "Whether the animation starts again after its end; otherwise the end holds.");
+  list.AddNumber(
+    "speed", vtkRelievoMember(Speed), 1e-6, 1e6, "", "Seconds of the animation per unit of time.");
+  list.AddFlag("skeleton_axes", vtkRelievoMember(SkeletonAxes),
+    "Whether the skeleton also has the axes of its joints. Colour by axis_color without mapping "
+    "scalars to see x, y and z in red, green and blue.");
+  list
+    .AddNumber("axis_length", vtkRelievoMember(AxisLength), 0., infinity, "",
+      "The length of these axes in world units; 0 uses 3 % of the model's diagonal at rest.")
+    .Advanced = true;
+  list.AddFlag("first_bone", vtkRelievoMember(FirstBone),
+    "Whether points have the array first_bone: the point of the skeleton that holds them most.");
 }
 
 //------------------------------------------------------------------------------

@@ -48,6 +48,8 @@
 
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkRelievoAnimationModule.h" // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 #include <memory> // for std::unique_ptr
 #include <string> // for what was read
@@ -214,6 +216,9 @@ public:
   /** The bones of all meshes, after UpdateInformation(). */
   vtkStringArray* GetBoneNames();
 
+  /** Parameters by name, with values in words, like vtkRelievoStage's. */
+  vtkRelievoParametersMacro();
+
   ///@{
   /** The animations of the file, after UpdateInformation(). */
   int GetNumberOfAnimations();
@@ -342,6 +347,7 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
+  vtkRelievoParameterList Parameters;
 };
 
 #endif

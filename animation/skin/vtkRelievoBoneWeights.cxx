@@ -26,6 +26,8 @@ vtkRelievoBoneWeights::vtkRelievoBoneWeights()
   : Errors(new relievo::ErrorOnce(this))
 {
   this->SetNumberOfInputPorts(2);
+  this->Parameters.AddWhole("bone", vtkRelievoMember(Bone), -1, VTK_INT_MAX, "",
+    "The bone whose weights are shown, as a point of the skeleton; -1 for none.");
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,8 @@
 
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRelievoAnimationModule.h" // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 #include <memory> // for reported errors
 #include <string>
@@ -55,6 +57,9 @@ public:
   vtkGetStringMacro(BoneName);
   ///@}
 
+  /** Parameters by name, with values in words, like vtkRelievoStage's. */
+  vtkRelievoParametersMacro();
+
   /** The skeleton (port 1). */
   void SetSkeletonConnection(vtkAlgorithmOutput* skeleton)
   {
@@ -78,6 +83,7 @@ private:
   int Bone = -1;
   char* BoneName = nullptr;
   std::unique_ptr<relievo::ErrorOnce> Errors;
+  vtkRelievoParameterList Parameters;
 };
 
 #endif

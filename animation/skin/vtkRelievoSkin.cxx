@@ -19,6 +19,17 @@ vtkRelievoSkin::vtkRelievoSkin()
   : Errors(new relievo::ErrorOnce(this))
 {
   this->SetNumberOfInputPorts(2);
+  this->Parameters
+    .AddChoice("method", vtkRelievoMember(Method), { "linear", "dual_quaternion", "key_matrix" },
+      "How bones are blended. Files are made for Linear. Dual Quaternion keeps the volume of "
+      "joints that twist. Key Matrix blends the matrices of whole keys.")
+    .ChoiceLabels = { "Linear", "Dual Quaternion", "Key Matrix" };
+  vtkRelievoParameter& precision = this->Parameters.AddChoice("output_points_precision",
+    vtkRelievoMember(OutputPointsPrecision), { "single", "double", "input" },
+    "Type of the coordinates. Double also for poses far from the origin, of meshes near it.");
+  precision.Label = "Points' Precision";
+  precision.ChoiceLabels = { "Single", "Double", "As they are" };
+  precision.Advanced = true;
 }
 
 //------------------------------------------------------------------------------

@@ -31,6 +31,8 @@
 
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRelievoAnimationModule.h" // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 #include <memory> // for reported errors
 
@@ -75,6 +77,9 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  /** Parameters by name, with values in words, like vtkRelievoStage's. */
+  vtkRelievoParametersMacro();
+
   /** The skeleton (port 1). */
   void SetSkeletonConnection(vtkAlgorithmOutput* skeleton)
   {
@@ -95,6 +100,7 @@ private:
   int Method = LINEAR;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   std::unique_ptr<relievo::ErrorOnce> Errors;
+  vtkRelievoParameterList Parameters;
 };
 
 #endif

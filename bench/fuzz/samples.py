@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small sound files of every format that Relievo reads: what the campaign damages.
+"""Small sound files of every format that Relievo reads, which the campaign damages.
 
 A sample is a format's name, the files of it by their names, which of them may be damaged, and the
 words of `relievo render` that read it.

@@ -143,6 +143,10 @@ bool GetCamera(vtkFieldData* fields, Camera& camera, std::string& problem)
 vtkRelievoDepthToPoints::vtkRelievoDepthToPoints()
 {
   this->SetDepthArrayName("depth");
+  this->Parameters.AddWhole("stride", vtkRelievoMember(Stride), 1, VTK_INT_MAX, "",
+    "Uses every Stride-th column and row of pixels, from the lower left one.");
+  this->Parameters.AddFlag("keep_arrays", vtkRelievoMember(KeepArrays),
+    "Whether the points carry the values of all arrays at their pixels.");
 }
 
 //------------------------------------------------------------------------------

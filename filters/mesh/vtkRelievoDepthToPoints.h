@@ -24,7 +24,9 @@
 #define vtkRelievoDepthToPoints_h
 
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoDepthToPoints : public vtkPolyDataAlgorithm
 {
@@ -58,6 +60,9 @@ public:
   vtkGetMacro(Stride, int);
   ///@}
 
+  /** Parameters by name, with values in words, like vtkRelievoStage's. */
+  vtkRelievoParametersMacro();
+
 protected:
   vtkRelievoDepthToPoints();
   ~vtkRelievoDepthToPoints() override;
@@ -70,6 +75,7 @@ private:
   char* DepthArrayName = nullptr;
   bool KeepArrays = true;
   int Stride = 1;
+  vtkRelievoParameterList Parameters;
 
   vtkRelievoDepthToPoints(const vtkRelievoDepthToPoints&) = delete;
   void operator=(const vtkRelievoDepthToPoints&) = delete;

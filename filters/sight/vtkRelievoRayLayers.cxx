@@ -509,7 +509,7 @@ int vtkRelievoRayLayers::RequestData(
       !layer.MakeOfData(this->Scene, blocks, columns * rows))
     {
       vtkErrorMacro("Rays have no layer '"
-        << name << "'; they have " << GetLayerNames() << ", and arrays of what is in the scene"
+        << name << "'; they have " << GetLayerNames() << ", and the arrays of the scene's data"
         << (IsFlow(name.c_str()) ? "; flow goes to another state of the scene, and "
                                    "there is none."
                                  : "."));

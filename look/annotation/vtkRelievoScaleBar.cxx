@@ -68,40 +68,13 @@ std::string WriteLength(double length)
 }
 }
 
-//------------------------------------------------------------------------------
-struct vtkRelievoScaleBar::Internals
-{
-  std::string Unit;
-  double Refused = 0.0; // the length last reported as too long
-  vtkRelievoOverlayPen Pen;
-};
-
 vtkStandardNewMacro(vtkRelievoScaleBar);
 
 //------------------------------------------------------------------------------
-vtkRelievoScaleBar::vtkRelievoScaleBar()
-  : Internal(new Internals)
-{
-}
+vtkRelievoScaleBar::vtkRelievoScaleBar() = default;
 
 //------------------------------------------------------------------------------
 vtkRelievoScaleBar::~vtkRelievoScaleBar() = default;
-
-//------------------------------------------------------------------------------
-void vtkRelievoScaleBar::SetUnit(RELIEVO_TEXT unit)
-{
-  if (this->Internal->Unit != unit)
-  {
-    this->Internal->Unit = unit;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoScaleBar::GetUnit()
-{
-  return this->Internal->Unit;
-}
 
 //------------------------------------------------------------------------------
 double vtkRelievoScaleBar::GetShownLength(vtkRenderer* renderer)
@@ -125,8 +98,7 @@ double vtkRelievoScaleBar::GetShownLength(vtkRenderer* renderer)
 std::string vtkRelievoScaleBar::GetLabel(vtkRenderer* renderer)
 {
   const double length = this->GetShownLength(renderer);
-  const std::string& unit = this->Internal->Unit;
-  return length > 0.0 ? WriteLength(length) + (unit.empty() ? "" : " " + unit) : "";
+  return length > 0.0 ? WriteLength(length) + (this->Unit.empty() ? "" : " " + this->Unit) : "";
 }
 
 //------------------------------------------------------------------------------
@@ -138,14 +110,13 @@ int vtkRelievoScaleBar::RenderOverlay(vtkViewport* viewport)
   {
     return 0;
   }
-  Internals& own = *this->Internal;
   const double width = renderer->GetSize()[0];
   const double length = this->GetShownLength(renderer);
   if (length <= 0.0)
   {
-    if (own.Refused != this->Length)
+    if (this->Refused != this->Length)
     {
-      own.Refused = this->Length;
+      this->Refused = this->Length;
       vtkErrorMacro("Length is " << this->Length << ", and the picture is " << width / perUnit
                                  << " wide: give a shorter one, or 0 for one that fits");
     }
@@ -161,45 +132,34 @@ int vtkRelievoScaleBar::RenderOverlay(vtkViewport* viewport)
   const double gap = std::round(Gap * size);
   const double bar = std::max(1.0, std::round(length * perUnit));
   const double right = std::round(std::max(width - margin, 0.5 * (width + bar)));
-  const double ink =
-    this->Ink == INK_AUTOMATIC ? vtkRelievoAnnotation::GetInk(renderer)[0] : this->Ink == INK_WHITE;
+  const double ink = this->GetShownInk(renderer);
   const vtkRelievoOverlayPen::Color inkColor = { ink, ink, ink };
   const vtkRelievoOverlayPen::Color edge = { 1.0 - ink, 1.0 - ink, 1.0 - ink };
-  own.Pen.Begin(viewport);
-  own.Pen.AddRectangle(
+  this->Pen->Begin(viewport);
+  this->Pen->AddRectangle(
     { right - bar - halo, margin - halo, right + halo, margin + thick + halo }, edge);
-  own.Pen.AddRectangle({ right - bar, margin, right, margin + thick }, inkColor);
+  this->Pen->AddRectangle({ right - bar, margin, right, margin + thick }, inkColor);
 
   const std::string label = this->GetLabel(renderer);
   const double room = width - 2.0 * margin;
-  double wide = own.Pen.Measure(label, size)[0];
+  double wide = this->Pen->Measure(label, size)[0];
   if (wide > room)
   {
     size = std::max(1.0, size * room / wide);
-    wide = own.Pen.Measure(label, size)[0];
+    wide = this->Pen->Measure(label, size)[0];
   }
-  own.Pen.AddText(
+  this->Pen->AddText(
     { std::min(right - 0.5 * (bar + wide), width - margin - wide), margin + thick + gap }, label,
     size, inkColor, edge, halo);
-  own.Pen.Draw();
+  this->Pen->Draw();
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoScaleBar::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Internal->Pen.ReleaseGraphicsResources(window);
-  this->Superclass::ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoScaleBar::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Unit: " << this->Internal->Unit << "\n";
   os << indent << "Length: " << this->Length << "\n";
   os << indent << "Share: " << this->Share << "\n";
   os << indent << "Depth: " << this->Depth << "\n";
-  os << indent << "TextSize: " << this->TextSize << "\n";
-  os << indent << "Ink: " << this->Ink << "\n";
 }

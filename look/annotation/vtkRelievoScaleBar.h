@@ -6,9 +6,9 @@
  *
  * Add it to a renderer like any prop (vtkRenderer::AddViewProp): a horizontal bar with its length
  * above it, drawn over the picture, without light or tone, and in no layer. It lays itself out in
- * each frame for the renderer's camera and size, also in tiles. Both are black or white, whichever
- * contrasts more with the renderer's background, with an edge of the other colour,, sized to the
- * shorter side of the picture, or to TextSize.
+ * each frame for the renderer's camera and size, also in tiles. The label ends with the unit of the
+ * world's lengths. Bar and label have an edge of the other colour, black or white; the least size of
+ * the label is 9 pixels, unless TextSize is set.
  *
  * In a parallel projection the bar is accurate everywhere, to half a pixel. In perspective near
  * objects look larger: the bar is accurate at Depth, across the view.
@@ -18,27 +18,19 @@
 #ifndef vtkRelievoScaleBar_h
 #define vtkRelievoScaleBar_h
 
-#include "vtkActor2D.h"
 #include "vtkRelievoLookModule.h" // for the export macro
-#include "vtkRelievoText.h"       // for texts
+#include "vtkRelievoOverlayBar.h"
 
-#include <memory> // for the internals
 #include <string> // for texts
 
 class vtkRenderer;
 
-class VTKRELIEVOLOOK_EXPORT vtkRelievoScaleBar : public vtkActor2D
+class VTKRELIEVOLOOK_EXPORT vtkRelievoScaleBar : public vtkRelievoOverlayBar
 {
 public:
   static vtkRelievoScaleBar* New();
-  vtkTypeMacro(vtkRelievoScaleBar, vtkActor2D);
+  vtkTypeMacro(vtkRelievoScaleBar, vtkRelievoOverlayBar);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /** The unit of the world's lengths, in UTF-8, at the end of the label. Default: none. */
-  void SetUnit(RELIEVO_TEXT unit);
-  std::string GetUnit();
-  ///@}
 
   ///@{
   /**
@@ -63,40 +55,14 @@ public:
   vtkGetMacro(Depth, double);
   ///@}
 
-  ///@{
-  /** Height of the label's font, pixels. Default 0: by the shorter side of the picture, at least 9.
-   */
-  vtkSetClampMacro(TextSize, double, 0.0, 1000.0);
-  vtkGetMacro(TextSize, double);
-  ///@}
-
-  enum Inks
-  {
-    INK_AUTOMATIC,
-    INK_BLACK,
-    INK_WHITE
-  };
-
-  ///@{
-  /** The colour of bar and label; their edges have the other one. Default: by the background. */
-  vtkSetClampMacro(Ink, int, INK_AUTOMATIC, INK_WHITE);
-  vtkGetMacro(Ink, int);
-  ///@}
-
   /** The bar's length in world units in a renderer, which must be in a window; otherwise 0. */
   double GetShownLength(vtkRenderer* renderer);
 
   /** The text above the bar: the length as a decimal number, and the unit; empty without a bar. */
   std::string GetLabel(vtkRenderer* renderer);
 
-  ///@{
   /** Called by the renderer. */
-  int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
-  int RenderTranslucentPolygonalGeometry(vtkViewport*) override { return 0; }
-  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
   int RenderOverlay(vtkViewport* viewport) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-  ///@}
 
 protected:
   vtkRelievoScaleBar();
@@ -105,15 +71,11 @@ protected:
   double Length = 0.0;
   double Share = 0.2;
   double Depth = 0.0;
-  double TextSize = 0.0;
-  int Ink = INK_AUTOMATIC;
+  double Refused = 0.0; // the length last reported as too long
 
 private:
   vtkRelievoScaleBar(const vtkRelievoScaleBar&) = delete;
   void operator=(const vtkRelievoScaleBar&) = delete;
-
-  struct Internals;
-  const std::unique_ptr<Internals> Internal;
 };
 
 #endif

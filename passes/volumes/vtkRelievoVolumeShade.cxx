@@ -89,7 +89,7 @@ std::string vtkRelievoVolumeShade::Update(
   std::vector<std::uint64_t> state;
   for (const vtkRelievoPlacedVolume& volume : this->Casters)
   {
-    vtkRelievoVolumeExtinction::AddState(volume, this->Colored, state);
+    volume.AddState(this->Colored, state);
   }
   // Goals in a millionth and in microseconds.
   for (const double setting : { static_cast<double>(room), static_cast<double>(this->Nodes),
@@ -283,7 +283,7 @@ void vtkRelievoVolumeShade::EstimateShares(int limit)
   for (vtkRelievoPlacedVolume volume : this->Casters)
   {
     volume.ToWorld[3] -= glm::dvec4(glm::dvec3(this->Casters[0].ToWorld[3]), 0.0);
-    vtkRelievoVolumeExtinction::AddState(volume, this->Colored, state);
+    volume.AddState(this->Colored, state);
   }
   if (!this->Shares.empty() && state == this->SharesState)
   {

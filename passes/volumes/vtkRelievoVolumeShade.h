@@ -7,6 +7,7 @@
 #define vtkRelievoVolumeShade_h
 
 #include "vtkRelievoOpticalDepths.h"
+#include "vtkRelievoPlacedVolume.h"
 #include "vtkRelievoVolumeExtinction.h"
 #include "vtkRelievoVolumesModule.h" // for the export macro
 #include "vtkType.h"

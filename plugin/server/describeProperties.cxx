@@ -16,9 +16,11 @@
 // their files.
 #include "vtkNew.h"
 #include "vtkPVRelievoSun.h"
+#include "vtkRelievoBoneWeights.h"
 #include "vtkRelievoCaves.h"
 #include "vtkRelievoColormaps.h"
 #include "vtkRelievoCover.h"
+#include "vtkRelievoDepthToPoints.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoEnvironmentConvert.h"
 #include "vtkRelievoEnvironmentIrradiance.h"
@@ -32,6 +34,7 @@
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
 #include "vtkRelievoShadowStage.h"
+#include "vtkRelievoSkin.h"
 #include "vtkRelievoSmoothBlocks.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoSunExposure.h"
@@ -540,11 +543,15 @@ std::map<std::string, std::string> MakeAll()
   const auto addFilter = [&add](const std::string& name, const auto& filter) {
     add(name, { filter->GetParameters(), "", "", "", "", "" });
   };
+  addFilter("bone weights", vtkNew<vtkRelievoBoneWeights>());
   addFilter("caves", vtkNew<vtkRelievoCaves>());
+  addFilter("depth to points", vtkNew<vtkRelievoDepthToPoints>());
   addFilter("environment convert", vtkNew<vtkRelievoEnvironmentConvert>());
   addFilter("environment irradiance", vtkNew<vtkRelievoEnvironmentIrradiance>());
   addFilter("environment prefilter", vtkNew<vtkRelievoEnvironmentPrefilter>());
   addFilter("heights to normals", vtkNew<vtkRelievoHeightsToNormals>());
+  addFilter("model reader", vtkNew<vtkRelievoModelReader>());
+  addFilter("skin", vtkNew<vtkRelievoSkin>());
   addFilter("smooth blocks", vtkNew<vtkRelievoSmoothBlocks>());
   addFilter("texture coordinates", vtkNew<vtkRelievoTextureCoordinates>());
   addFilter("voxel cubes", vtkNew<vtkRelievoVoxelCubes>());

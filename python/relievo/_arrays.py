@@ -39,8 +39,8 @@ def why_not(name, renderer, shadows):
     guess = did_you_mean(name, [*layers, *arrays])
     known = ", ".join(sorted(each for each in arrays if not each.startswith(_KINDS))) or "none"
     return (
-        f"got {name!r}{guess}, expected one of {', '.join(layers)}, or an array of what the "
-        f"renderer draws ({known}); add the data that has it first"
+        f"got {name!r}{guess}, expected one of {', '.join(layers)}, or an array of the "
+        f"renderer's data ({known}); add the data that has it first"
     )
 
 

@@ -31,7 +31,7 @@ _SIZE_OF_DATA = (1024, 768)
 
 def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambient=None,
             previous=None) -> vtkImageData:
-    """Draws the renderer once and returns the layers of what is visible.
+    """Draws the renderer once and returns the layers of the visible surfaces.
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter). Its camera,
         lights, passes and window stay unchanged; but PyVista's plotter gets the camera that it

@@ -141,7 +141,7 @@ class RelievoComponent:
 
     def layer(self, name: str, size: Sequence[int] | None = None,
               hdr: bool = False) -> numpy.ndarray:  # fmt: skip
-        """One layer of what is visible, as a numpy array with row 0 at the top."""
+        """One layer of the visible surfaces, as a numpy array with row 0 at the top."""
         return _image.layer(self._captured(name, size, hdr), name)
 
     def pick(self, x: int, y: int, arrays: Sequence[str] = ()) -> _pick.Picked:

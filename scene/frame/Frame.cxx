@@ -5,6 +5,7 @@
 #include "CameraPath.h"
 #include "Options.h"
 #include "Readers.h"
+#include "ShadowOptions.h"
 #include "Shadows.h"
 #include "Surface.h"
 
@@ -53,7 +54,10 @@ std::vector<std::string> CheckInputs(const RenderOptions& options)
 //------------------------------------------------------------------------------
 bool NeedsFrame(const RenderOptions& options)
 {
-  return options.ShadowMethod != Shadows::Off || !options.Stages.empty() || !options.Points.empty();
+  // --shadows off alone needs none.
+  return ShowsShadows(options) || !options.Points.empty() ||
+    std::any_of(options.Stages.begin(), options.Stages.end(),
+      [](const StageChoice& choice) { return !IsOfSwitch(choice); });
 }
 
 //------------------------------------------------------------------------------

@@ -43,7 +43,6 @@ void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
 //------------------------------------------------------------------------------
 void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
 {
-  pass->SetShadows(options.ShadowMethod != Shadows::Off);
   SetCasters(pass, renderer, options);
   // The viewer uses --stage instead, because OpenGL must not be queried between a widget's frames.
   const std::string option = "--shadow-size";
@@ -58,9 +57,5 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
     }
   }
   pass->WaitForSamplesOn();
-  constexpr int methods[] = { vtkRelievoShadowStage::METHOD_MAP, vtkRelievoShadowStage::METHOD_MAP,
-    vtkRelievoShadowStage::METHOD_FORWARD, vtkRelievoShadowStage::METHOD_WARPED,
-    vtkRelievoShadowStage::METHOD_EXACT };
-  pass->GetShadowStage()->SetMethod(methods[static_cast<int>(options.ShadowMethod)]);
 }
 }

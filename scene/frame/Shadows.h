@@ -12,7 +12,6 @@ class vtkRenderer;
 namespace scene
 {
 struct RenderOptions;
-enum class Shadows;
 
 /// Number of lights drawn: VTK makes a headlight if there are none.
 int CountLights(vtkRenderer* renderer);

@@ -248,6 +248,25 @@ struct Rows
     return this->Command.Options.back();
   }
 
+  // An option that switches a stage, with a choice of one of its parameters, or `off`.
+  // The words replace @choices@ in the help.
+  void AddSwitch(const std::string& name, const std::string& form, const std::string& stage,
+    const std::string& parameter, const std::string& help)
+  {
+    const vtkRelievoParameter& set =
+      *GetNewFrame()->GetStage(stage)->GetDescription().Find(parameter);
+    std::vector<std::string> words = set.Choices;
+    words.insert(words.begin(), "off");
+    this->AddChoice(name, form, words, help,
+      [=, options = &this->Options, usual = set.Default](std::size_t place) {
+        AddStage(options->Stages, stage, name).Parameters = {
+          { "enabled", place == 0 ? "off" : "on" }, { parameter, place == 0 ? usual : words[place] }
+        };
+      });
+    this->Command.Options.back().Sets = stage + ":" + parameter;
+    this->Command.Options.back().IsSwitch = true;
+  }
+
   // The bounds replace @bounds@ in the help.
   void AddNumber(const std::string& name, const std::string& form, const std::string& help,
     const vtkRelievoOption::Bounds& range,
@@ -465,13 +484,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.Add("--bone-weight", "BONE",
     "colours by the weight of one bone; --color-by first_bone colours by the strongest",
     TakePart<&RenderOptions::Model, TakeBoneWeight>);
-  rows.AddChoice("--shadows", "METHOD", { "off", "map", "forward", "warped", "exact" },
-    "shadows of the lights in the picture: @choices@ (map with studio and town, else off)",
-    [&all](std::size_t place) {
-      constexpr Shadows methods[] = { Shadows::Off, Shadows::Map, Shadows::Forward, Shadows::Warped,
-        Shadows::Exact };
-      all.ShadowMethod = methods[place];
-    });
+  rows.AddSwitch("--shadows", "METHOD", "shadows", "method",
+    "shadows of the lights in the picture: @choices@ (map with studio and town, else off)");
   rows.AddOfStage("--shadow-size N", "shadows", "map_size", "Side of each shadow map");
   rows.AddOfStage("--soft-shadows N", "shadows", "soft_samples", "-").Help =
     "shadows of lights with a size: the mean of N samples of each light's shape, 0 to "
@@ -485,6 +499,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       [](const std::string& word) { return WriteNumber(ParseShare("--shadow-tolerance", word)); })
     .Help = "shadows by the cheapest method with an expected share of wrong pixels of at most S, "
             "such as 0.05% or 0.0005";
+  rows.Command.Options.back().Implies = { "--shadows", "map" }; // the method is chosen later
   rows
     .AddOfStage("--time-budget MS", "shadows", "time_budget", "-",
       [](const std::string& word) {
@@ -492,6 +507,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       })
     .Help = "shadows by the most accurate method whose frames are expected to take at most MS "
             "milliseconds";
+  rows.Command.Options.back().Implies = { "--shadows", "map" };
   rows
     .Add("--certify", "N",
       "checks N shadow verdicts, chosen at random, by rays in double precision, and prints "
@@ -677,29 +693,22 @@ const vtkRelievoCommand& GetRenderCommand()
   return command;
 }
 
-namespace
-{
 //------------------------------------------------------------------------------
-// Whether --stage sets a parameter of the shadows; with `value`, whether to this value.
-bool SetsShadows(
-  const RenderOptions& options, const std::string& parameter, const std::string& value = {})
+bool IsOfSwitch(const StageChoice& choice)
 {
-  const std::string* given = FindStageChoice(options.Stages, "shadows", parameter, "--stage");
-  return given && (value.empty() || *given == value);
+  const vtkRelievoOption* option = GetRenderCommand().Find(choice.Option);
+  return option && option->IsSwitch;
 }
 
+namespace
+{
 //------------------------------------------------------------------------------
 // Rejects an option and a --stage parameter that set the same value. Options of points override
 // their stage's parameters instead.
 void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& given)
 {
-  std::vector<StageChoice> said = options.Stages;
-  if (given.count("--shadows"))
-  {
-    AddStage(said, "shadows", "--shadows").Parameters = { { "enabled", "" }, { "method", "" } };
-  }
   const std::string byStage = StageChoice().Option;
-  for (const StageChoice& own : said)
+  for (const StageChoice& own : options.Stages)
   {
     const bool isOwn = own.Option != byStage && own.Option != "--preset" && given.count(own.Option);
     for (const auto& [name, value] : isOwn ? own.Parameters : NamedWords())
@@ -717,8 +726,10 @@ void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& gi
 // Rejects options about shadows that have no effect without shadows.
 void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>& given)
 {
-  const bool asked = given.count("--shadows") != 0 || options.ShadowMethod != Shadows::Off ||
-    SetsShadows(options, "enabled") ||
+  const auto find = [&options](const std::string& parameter) {
+    return FindStageChoice(options.Stages, "shadows", parameter);
+  };
+  const bool asked = find("enabled") ||
     std::any_of(options.Layers.begin(), options.Layers.end(),
       [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) >= 0; });
   const bool sizes = given.count("--shadow-size") > 0;
@@ -729,8 +740,9 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
                                        : "--soft-shadows: there are no shadows") +
       ": give --shadows map, --stage shadows, or a layer shadow_N, as well");
   }
-  if (given.count("--colored-shadows") && options.ShadowMethod != Shadows::Exact &&
-    options.Image.Is != ImageChoice::Kind::Volume && !SetsShadows(options, "method", "exact"))
+  const std::string* method = find("method");
+  if (given.count("--colored-shadows") && options.Image.Is != ImageChoice::Kind::Volume &&
+    (!method || *method != "exact"))
   {
     throw UsageError("--colored-shadows: shadow maps store no colour of surfaces: give --shadows "
                      "exact as well, or a volume (--image volume)");
@@ -739,7 +751,7 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
     std::any_of(options.Lights.begin(), options.Lights.end(), [](const LightChoice& light) {
       return light.Size ? *light.Size > 0.0 : light.Is == LightChoice::Kind::Sun;
     });
-  if (softens && !options.Lights.empty() && !sized && !SetsShadows(options, "lamp_radius"))
+  if (softens && !options.Lights.empty() && !sized && !find("lamp_radius"))
   {
     throw UsageError("--soft-shadows: no light has a size: give one, as in --light "
                      "point:PX,PY,PZ,size=RADIUS");

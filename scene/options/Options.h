@@ -25,15 +25,6 @@
 
 namespace scene
 {
-enum class Shadows
-{
-  Off,
-  Map,
-  Forward,
-  Warped,
-  Exact
-};
-
 /// Pixels or texels per direction. OpenGL's own limit, which may be lower, is queried later.
 constexpr int LargestSize = 16384;
 
@@ -57,12 +48,11 @@ struct RenderOptions
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
   std::optional<double> Fill;      ///< share of the preset's weak lights; none: the preset has none
   bool YieldsToFile = false;       ///< the file's lights, if any, replace these
-  Shadows ShadowMethod = Shadows::Off;
-  std::optional<int> Certify;       ///< rays
-  SurfaceChoice Surface;            ///< maps and environment of surfaces
-  int UpAxis = 1;                   ///< the world's up axis: 0, 1, 2 for x, y, z
-  bool FindsUp = false;             ///< replaces UpAxis by the scene's own
-  std::optional<bool> Ground;       ///< whether to add one below the scene; none: no
+  std::optional<int> Certify;      ///< rays
+  SurfaceChoice Surface;           ///< maps and environment of surfaces
+  int UpAxis = 1;                  ///< the world's up axis: 0, 1, 2 for x, y, z
+  bool FindsUp = false;            ///< replaces UpAxis by the scene's own
+  std::optional<bool> Ground;      ///< whether to add one below the scene; none: no
   std::vector<PointsChoice> Points; ///< for stages that draw points
   std::vector<StageChoice> Stages;  ///< in the order given
   bool HDR = false;                 ///< EXR colour unclamped
@@ -80,6 +70,9 @@ vtkRelievoCommand DescribeRender(RenderOptions& options);
 
 /// The command's description, for lookup.
 const vtkRelievoCommand& GetRenderCommand();
+
+/// Whether an option that switches a stage made the request, such as --shadows.
+bool IsOfSwitch(const StageChoice& choice);
 
 /// Parses files and options in the words of `relievo render`; files may follow later.
 RenderOptions ParseOptions(const std::vector<std::string>& words);

@@ -7,6 +7,7 @@
 #include "Numbers.h"
 #include "Options.h"
 #include "Settings.h"
+#include "ShadowOptions.h"
 #include "Values.h"
 
 #include <algorithm>
@@ -136,21 +137,17 @@ void AddMoon(RenderOptions& options, const Preset& preset)
 // Applies if no option sets shadows; layers and verdicts use point lights.
 void AddShadows(RenderOptions& options, const std::set<std::string>& given, int samples)
 {
-  if (given.count("--shadows") == 0)
+  const auto says = [&given](const char* option) { return given.count(option) > 0; };
+  if (says("--shadows"))
   {
-    options.ShadowMethod = Shadows::Map;
-    const auto says = [&given](const char* option) { return given.count(option) > 0; };
-    if (!says("--soft-shadows") && !says("--certify") && !says("--shadow-tolerance") &&
-      !says("--time-budget") && !says("--layers"))
-    {
-      // Placed first, because --stage and options take precedence.
-      options.Stages.insert(options.Stages.begin(),
-        { "shadows",
-          { { "soft_samples", std::to_string(samples) },
-            { "soft_maps", std::to_string(SoftMaps) } },
-          "--preset" });
-    }
+    return;
   }
+  const bool hard = says("--soft-shadows") || says("--certify") || says("--shadow-tolerance") ||
+    says("--time-budget") || says("--layers");
+  ShowShadows(options,
+    hard ? NamedWords()
+         : NamedWords{ { "soft_samples", std::to_string(samples) },
+             { "soft_maps", std::to_string(SoftMaps) } });
 }
 }
 
@@ -166,10 +163,11 @@ std::vector<std::string> GetPresetNames()
 }
 
 //------------------------------------------------------------------------------
-bool IsOfPresets(const std::string& stage, const std::string& parameter)
+const std::vector<PresetParameter>& GetPresetParameters()
 {
-  return (stage == "antialias" && parameter == "samples") ||
-    (stage == "shadows" && parameter == "soft_samples");
+  static const std::vector<PresetParameter> all = { { "antialias", "samples", "1" },
+    { "shadows", "soft_samples", "" }, { "shadows", "soft_maps", "" } };
+  return all;
 }
 
 //------------------------------------------------------------------------------

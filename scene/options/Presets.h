@@ -19,8 +19,13 @@ class Settings;
 /// "none" first: VTK's plain look.
 std::vector<std::string> GetPresetNames();
 
-/// Whether presets may set this parameter of a stage, if no option does.
-bool IsOfPresets(const std::string& stage, const std::string& parameter);
+/// A parameter of a stage that presets may set, if no option does.
+struct PresetParameter
+{
+  std::string Stage, Parameter;
+  std::string Off; ///< the value with which the stage does nothing; empty: none
+};
+const std::vector<PresetParameter>& GetPresetParameters();
 
 /// Throws UsageError for an unknown name.
 void TakePreset(RenderOptions& options, const std::string& word);

@@ -25,10 +25,26 @@ std::string GetFirstTime(const std::string& times)
   return WriteNumber(model.Times.front());
 }
 
-// One sample switches antialiasing off.
-bool IsOff(const std::string& stage, const std::string& samples)
+// The option whose words switch the stage and choose a parameter; nullptr: the stage has none.
+const vtkRelievoOption* FindSwitch(const std::string& stage)
 {
-  return stage == "antialias" && samples == "1";
+  const std::vector<vtkRelievoOption>& options = GetRenderCommand().Options;
+  const auto found =
+    std::find_if(options.begin(), options.end(), [&stage](const vtkRelievoOption& option) {
+      return option.IsSwitch && option.GetStage() == stage;
+    });
+  return found == options.end() ? nullptr : &*found;
+}
+
+// The parameter that presets may set, or the first one of the stage; nullptr: none.
+const PresetParameter* FindPresetParameter(
+  const std::string& stage, const std::string& parameter = {})
+{
+  const std::vector<PresetParameter>& all = GetPresetParameters();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const PresetParameter& each) {
+    return each.Stage == stage && (parameter.empty() || each.Parameter == parameter);
+  });
+  return found == all.end() ? nullptr : &*found;
 }
 
 // Whether a stage takes part without being requested.
@@ -73,20 +89,20 @@ Settings Settings::FromWords(const std::vector<std::string>& words)
 //------------------------------------------------------------------------------
 void Settings::TakeStages(const RenderOptions& options)
 {
-  if (this->Has("--shadow-tolerance") || this->Has("--time-budget"))
-  {
-    this->Set("--shadows", "map");
-  }
   for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
-    if (!option.Sets.empty())
+    if (!option.Implies.empty() && this->Has(option.Name))
+    {
+      this->Set(option.Implies[0], option.Implies[1]);
+    }
+    if (!option.Sets.empty() && !option.IsSwitch)
     {
       this->Remove(option.Name); // set as parameters of stages instead
     }
   }
   for (const StageChoice& choice : options.Stages)
   {
-    if (choice.Option == "--preset")
+    if (choice.Option == "--preset" || IsOfSwitch(choice)) // kept as words
     {
       continue;
     }
@@ -272,22 +288,29 @@ const std::string* Settings::Find(const std::string& stage, const std::string& p
 }
 
 //------------------------------------------------------------------------------
-bool Settings::ShowsShadows() const
+bool Settings::IsSwitchedOn(const vtkRelievoOption& option) const
 {
-  return this->Has("--shadows") ? this->Get("--shadows") != "off"
-                                : this->Parse().ShadowMethod != Shadows::Off;
+  if (this->Has(option.Name))
+  {
+    return this->Get(option.Name) != "off";
+  }
+  const std::vector<StageChoice> stages = this->Parse().Stages;
+  const std::string* enabled = FindStageChoice(stages, option.GetStage(), "enabled");
+  return enabled && *enabled == "on";
 }
 
 //------------------------------------------------------------------------------
 std::string Settings::GetParameter(const std::string& stage, const std::string& parameter) const
 {
-  if (stage == "shadows" && parameter == "enabled")
+  const vtkRelievoOption* option = FindSwitch(stage);
+  if (option && parameter == "enabled")
   {
-    return this->ShowsShadows() ? "on" : "off";
+    return this->IsSwitchedOn(*option) ? "on" : "off";
   }
-  if (stage == "shadows" && parameter == "method" && this->Has("--shadows") && this->ShowsShadows())
+  if (option && parameter == option->GetParameter() && this->Has(option->Name) &&
+    this->IsSwitchedOn(*option))
   {
-    return this->Get("--shadows");
+    return this->Get(option->Name);
   }
   const std::string* value = this->Find(stage, parameter);
   return value ? *value : GetStandard(stage, parameter);
@@ -297,7 +320,7 @@ std::string Settings::GetParameter(const std::string& stage, const std::string& 
 // The value without any option: the preset's, if it has one.
 std::string Settings::GetStandard(const std::string& stage, const std::string& parameter) const
 {
-  if (IsOfPresets(stage, parameter))
+  if (FindPresetParameter(stage, parameter))
   {
     const std::vector<StageChoice> stages = this->Parse().Stages;
     const std::string* value = FindStageChoice(stages, stage, parameter, "--preset");
@@ -309,17 +332,18 @@ std::string Settings::GetStandard(const std::string& stage, const std::string& p
 //------------------------------------------------------------------------------
 bool Settings::IsStageOn(const std::string& stage) const
 {
-  if (stage == "shadows")
-  {
-    return this->ShowsShadows();
-  }
   const bool enabled = this->GetParameter(stage, "enabled") == "on";
-  if (!enabled || stage != "antialias") // presets request it
+  const PresetParameter* preset = FindPresetParameter(stage);
+  if (!enabled || FindSwitch(stage))
   {
-    return enabled && this->IsStageAsked(stage);
+    return enabled;
+  }
+  if (!preset)
+  {
+    return this->IsStageAsked(stage);
   }
   const std::vector<StageChoice> stages = this->Parse().Stages;
-  return !IsOff(stage, this->GetParameter(stage, "samples")) &&
+  return this->GetParameter(stage, preset->Parameter) != preset->Off &&
     std::any_of(stages.begin(), stages.end(),
       [&stage](const StageChoice& choice) { return choice.Name == stage; });
 }
@@ -327,7 +351,7 @@ bool Settings::IsStageOn(const std::string& stage) const
 //------------------------------------------------------------------------------
 void Settings::SwitchStage(const std::string& stage, bool on)
 {
-  if (stage == "shadows")
+  if (FindSwitch(stage))
   {
     this->SetParameter(stage, "enabled", on ? "on" : "off");
     return;
@@ -340,30 +364,28 @@ void Settings::SwitchStage(const std::string& stage, bool on)
 }
 
 //------------------------------------------------------------------------------
-void Settings::SetShadows(bool on, const std::string& method)
+void Settings::SetSwitch(const vtkRelievoOption& option, bool on, const std::string& value)
 {
-  this->SetGiven("shadows", "method", "map"); // the default
+  const std::string stage = option.GetStage(), parameter = option.GetParameter();
+  const std::string usual = this->GetStandard(stage, parameter);
+  this->SetGiven(stage, parameter, usual);
+  const bool wasOff = this->Get(option.Name) == "off";
+  this->Remove(option.Name);
   if (on)
   {
-    const bool wasOff = this->Get("--shadows") == "off";
-    this->Remove("--shadows");
-    if (!wasOff || method != "map" || !this->ShowsShadows()) // otherwise the preset's, which are
-                                                             // soft
+    // Otherwise the preset's, which are soft.
+    if (!wasOff || value != usual || !this->IsSwitchedOn(option))
     {
-      this->Set("--shadows", method);
+      this->Set(option.Name, value);
     }
+  }
+  else if (this->IsSwitchedOn(option)) // by the preset
+  {
+    this->Set(option.Name, "off");
   }
   else
   {
-    this->Remove("--shadows");
-    if (this->ShowsShadows()) // set by the preset
-    {
-      this->Set("--shadows", "off");
-    }
-    else
-    {
-      this->SetGiven("shadows", "method", method);
-    }
+    this->SetGiven(stage, parameter, value);
   }
 }
 
@@ -371,13 +393,14 @@ void Settings::SetShadows(bool on, const std::string& method)
 void Settings::SetParameter(
   const std::string& stage, const std::string& parameter, const std::string& value)
 {
-  if (stage == "shadows" && parameter == "enabled")
+  const vtkRelievoOption* option = FindSwitch(stage);
+  if (option && parameter == "enabled")
   {
-    this->SetShadows(value == "on", this->GetParameter(stage, "method"));
+    this->SetSwitch(*option, value == "on", this->GetParameter(stage, option->GetParameter()));
   }
-  else if (stage == "shadows" && parameter == "method")
+  else if (option && parameter == option->GetParameter())
   {
-    this->SetShadows(this->ShowsShadows(), value);
+    this->SetSwitch(*option, this->IsSwitchedOn(*option), value);
   }
   else
   {

@@ -3,7 +3,7 @@
 /**
  * The viewer's settings as words of `relievo render`: files, and options with their values. Every
  * stage has at most one --stage; options that are synonyms for its parameters (--tone, --deferred,
- * --shadow-size ...) are converted to it; the visibility and the method of shadows are --shadows.
+ * --shadow-size ...) are converted to it, except those that switch a stage (--shadows).
  * Outputs are not part of the settings.
  */
 #ifndef Settings_h
@@ -16,6 +16,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+struct vtkRelievoOption;
 
 namespace scene
 {
@@ -91,8 +93,8 @@ private:
   void ChangePaths(const std::string& folder, PathChange change);
   void TakeStages(const RenderOptions& options);
   void DropValue(const std::string& option, const std::string& name);
-  bool ShowsShadows() const;
-  void SetShadows(bool on, const std::string& method);
+  bool IsSwitchedOn(const vtkRelievoOption& option) const;
+  void SetSwitch(const vtkRelievoOption& option, bool on, const std::string& value);
   std::string GetStandard(const std::string& stage, const std::string& parameter) const;
   const std::string* Find(const std::string& stage, const std::string& parameter) const;
   void SetGiven(const std::string& stage, const std::string& parameter, const std::string& value);

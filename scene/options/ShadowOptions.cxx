@@ -4,7 +4,6 @@
 
 #include "Errors.h"
 #include "Options.h"
-#include "Values.h"
 
 #include "vtkRelievoLayerCatalogue.h"
 
@@ -14,10 +13,12 @@ namespace scene
 {
 namespace
 {
+// Whether shadows are shown, or any of their parameters is set.
 bool SetsShadows(const RenderOptions& options)
 {
-  return std::any_of(options.Stages.begin(), options.Stages.end(),
-    [](const StageChoice& stage) { return stage.Name == "shadows"; });
+  return ShowsShadows(options) ||
+    std::any_of(options.Stages.begin(), options.Stages.end(),
+      [](const StageChoice& stage) { return stage.Name == "shadows" && !IsOfSwitch(stage); });
 }
 }
 
@@ -28,24 +29,34 @@ void TakeCertify(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
+void ShowShadows(RenderOptions& options, const NamedWords& parameters)
+{
+  // Placed first, because --stage and options take precedence.
+  StageChoice& choice = *options.Stages.insert(
+    options.Stages.begin(), { "shadows", { { "enabled", "on" } }, "--preset" });
+  choice.Parameters.insert(choice.Parameters.end(), parameters.begin(), parameters.end());
+}
+
+//------------------------------------------------------------------------------
 void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& given)
 {
-  for (const char* wish : { "--shadow-tolerance", "--time-budget" })
+  for (const vtkRelievoOption& wish : GetRenderCommand().Options)
   {
-    for (const char* choice : { "--shadows", "--shadow-size" })
+    if (wish.Implies.empty() || given.count(wish.Name) == 0)
     {
-      if (given.count(wish) && given.count(choice))
+      continue;
+    }
+    for (const std::string& choice : { wish.Implies.front(), std::string("--shadow-size") })
+    {
+      if (given.count(choice))
       {
-        throw UsageError(std::string(wish) + " and " + choice +
+        throw UsageError(wish.Name + " and " + choice +
           ": the first chooses the method and the size of maps; give one of them");
       }
     }
-    if (given.count(wish))
-    {
-      options.ShadowMethod = Shadows::Map; // visible; the method is chosen later
-    }
+    ShowShadows(options);
   }
-  if (options.Certify && options.ShadowMethod == Shadows::Off && !SetsShadows(options) &&
+  if (options.Certify && !SetsShadows(options) &&
     std::all_of(options.Layers.begin(), options.Layers.end(),
       [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) < 0; }))
   {
@@ -58,7 +69,7 @@ void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& give
 bool ShowsShadows(const RenderOptions& options)
 {
   const std::string* enabled = FindStageChoice(options.Stages, "shadows", "enabled");
-  return enabled ? *enabled == "on" : options.ShadowMethod != Shadows::Off;
+  return enabled && *enabled == "on";
 }
 
 //------------------------------------------------------------------------------

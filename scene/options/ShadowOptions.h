@@ -7,6 +7,8 @@
 #ifndef ShadowOptions_h
 #define ShadowOptions_h
 
+#include "Values.h" // for NamedWords
+
 #include <set>
 #include <string>
 
@@ -16,6 +18,9 @@ struct RenderOptions;
 
 /// Maximum number of rays.
 void TakeCertify(RenderOptions& options, const std::string& word);
+
+/// Shows shadows by maps, unless options say otherwise.
+void ShowShadows(RenderOptions& options, const NamedWords& parameters = {});
 
 /// Checks that the goals fit the `given` options; a goal of accuracy or speed switches shadows on.
 void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& given);

@@ -4,11 +4,13 @@
 
 import sys
 
+import described
 import materialScene
 import numpy
 import pv
 from materialScene import AXES
 from paraview import servermanager, simple
+from relievo import vtkRelievoAnimation, vtkRelievoFilters
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # Label, and properties whose values are words.
@@ -31,7 +33,9 @@ FILTERS = {
     "Cover": [],
     "Visibility": [],
 }
-SOURCES = ["Caves"]
+SOURCES = ["Caves", "ModelReader"]
+# Properties whose defaults are ParaView's own.
+OWN = {"SurfaceParticles.NoiseSpeed": [-1.0], "SunExposure.UpAxis": [2.0]}
 
 
 def points(source, name):
@@ -67,6 +71,40 @@ class Filters(pv.PluginTest):
                 self.assertIsNotNone(text, f"{name}.{properties.GetKey()}")
                 self.assertGreater(len(text.GetDescription().strip()), 8, properties.GetKey())
                 properties.Next()
+
+    def test_descriptions(self):
+        """Properties have the names, texts and defaults of the classes and of their descriptions."""
+        manager = servermanager.ProxyManager()
+        compared = 0
+        for name in [*FILTERS, "DepthToPoints", "ModelReader"]:
+            group = "sources" if name in SOURCES else "filters"
+            made = manager.GetPrototypeProxy(group, f"Relievo{name}")
+            of_class = made.GetVTKClassName().replace("vtkPV", "vtk")  # some have a subclass
+            module = vtkRelievoFilters if hasattr(vtkRelievoFilters, of_class) else vtkRelievoAnimation
+            owner = getattr(module, of_class)()
+            for i in range(getattr(owner, "GetNumberOfParameters", int)()):
+                parameter = owner.GetParameterName(i)
+                found = made.GetProperty(described.capitalize(parameter))
+                self.assertIsNotNone(found, f"{name}.{parameter}")
+                text = owner.GetParameterHelp(parameter)
+                self.assertEqual(found.GetDocumentation().GetDescription().strip(), text)
+            properties = made.NewPropertyIterator()
+            properties.UnRegister(None)
+            properties.Begin()
+            while not properties.IsAtEnd():
+                one = properties.GetProperty()
+                command = one.GetCommand() or ""
+                getter = getattr(owner, command.replace("Set", "Get", 1), None)
+                if command.startswith("Set") and getter and hasattr(one, "GetNumberOfElements"):
+                    key = f"{name}.{properties.GetKey()}"
+                    value = getter()
+                    values = list(value) if isinstance(value, (list, tuple)) else [value]
+                    shown = [one.GetElement(i) for i in range(one.GetNumberOfElements())]
+                    expected = OWN.get(key, ["" if each is None else each for each in values])
+                    self.assertEqual(shown, expected, key)
+                    compared += 1
+                properties.Next()
+        self.assertGreater(compared, 80)
 
     def test_texture_coordinates_and_tangents(self):
         square = simple.Plane(Origin=[0, 0, 0], Point1=[4, 0, 0], Point2=[0, 2, 0])

@@ -39,6 +39,7 @@
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowCertificate.h>
 #include <vtkRelievoShadowStage.h>
+#include <vtkRelievoPlacedVolume.h>
 #include <vtkRelievoVolumeExtinction.h>
 #include <vtkRelievoVolumeShade.h>
 #include <vtkUnsignedCharArray.h>
@@ -445,7 +446,7 @@ void TestRefused()
   volume.Prop->GetProperty()->SetScalarOpacity(none);
   RELIEVO_CHECK(why().empty());
 
-  RELIEVO_CHECK(vtkRelievoVolumeExtinction::FindWhyNotPlaced(volume.Prop).empty());
+  RELIEVO_CHECK(vtkRelievoPlacedVolume::FindWhyNotPlaced(volume.Prop).empty());
   // Shaders have no one matrix from its texture to the world.
   vtkNew<vtkRectilinearGrid> grid;
   grid->SetDimensions(3, 3, 3);
@@ -463,7 +464,7 @@ void TestRefused()
   grid->GetPointData()->SetScalars(scalars);
   volume.Mapper->SetInputDataObject(grid);
   RELIEVO_CHECK(
-    vtkRelievoVolumeExtinction::FindWhyNotPlaced(volume.Prop) == "its data are not a vtkImageData");
+    vtkRelievoPlacedVolume::FindWhyNotPlaced(volume.Prop) == "its data are not a vtkImageData");
   RELIEVO_CHECK(why() == "its data are not a vtkImageData");
 }
 

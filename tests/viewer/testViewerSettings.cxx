@@ -8,6 +8,7 @@
 #include "Errors.h"
 #include "History.h"
 #include "Options.h"
+#include "ShadowOptions.h"
 
 #include <QtTest>
 
@@ -61,19 +62,21 @@ private Q_SLOTS:
     scene::Settings settings = scene::Settings::FromWords({ "a.vtp" });
     settings.SetParameter("shadows", "method", "exact");
     QCOMPARE(settings.GetParameter("shadows", "enabled"), std::string("off"));
-    QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Off);
+    QVERIFY(!scene::ShowsShadows(settings.Parse()));
     settings.SetParameter("shadows", "enabled", "on");
-    QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Exact);
+    QVERIFY(scene::ShowsShadows(settings.Parse()));
+    QCOMPARE(
+      *scene::FindStageChoice(settings.Parse().Stages, "shadows", "method"), std::string("exact"));
     QCOMPARE(settings.GetParameter("shadows", "method"), std::string("exact"));
     settings.SetParameter("shadows", "enabled", "off");
-    QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Off);
+    QVERIFY(!scene::ShowsShadows(settings.Parse()));
     QCOMPARE(settings.GetParameter("shadows", "method"), std::string("exact"));
     settings.SetParameter("shadows", "method", "map");
     QCOMPARE(settings.GetWords(), Words{ "a.vtp" });
     settings.Set("--preset", "studio"); // which shows them
     QCOMPARE(settings.GetParameter("shadows", "enabled"), std::string("on"));
     settings.SetParameter("shadows", "enabled", "off");
-    QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Off);
+    QVERIFY(!scene::ShowsShadows(settings.Parse()));
   }
 
   // Changes are taken over one by one, where other things are said besides.
@@ -131,7 +134,7 @@ private Q_SLOTS:
       QCOMPARE(settings.GetParameter("shadows", "soft_samples"), std::string("1"));
       settings.SwitchStage("shadows", false);
       QVERIFY(!settings.IsStageOn("shadows"));
-      QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Off);
+      QVERIFY(!scene::ShowsShadows(settings.Parse()));
     }
     scene::Settings studio = scene::Settings::FromWords({ "a.vtp", "--preset", "studio" });
     QCOMPARE(studio.GetWords(), (Words{ "--preset", "studio", "a.vtp" }));

@@ -4,7 +4,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fades what is far towards a colour, in linear light.
+// Fades distant surfaces towards a colour, in linear light.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(frame/color.glsl)
 //RELIEVO::Include(formulas/srgb.glsl)

@@ -23,7 +23,7 @@ vtkRelievoSampleStage::~vtkRelievoSampleStage() = default;
 void vtkRelievoSampleStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "sample";
-  description.Help = "Fades what is far from the eye towards a colour.";
+  description.Help = "Fades distant surfaces towards a colour.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
   description.Reads = { vtkRelievoResources::Depth, vtkRelievoResources::Color };
   description.Writes = { vtkRelievoResources::Color };

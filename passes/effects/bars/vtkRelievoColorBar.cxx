@@ -74,8 +74,15 @@ struct Layout
 struct vtkRelievoColorBar::Internals
 {
   vtkSmartPointer<vtkScalarsToColors> Map;
-  std::string Title, Unit, First, Last;
-  vtkRelievoOverlayPen Pen;
+  std::string Title, First, Last;
+  vtkRelievoOverlayPen& Pen;
+  const std::string& Unit;
+
+  Internals(vtkRelievoOverlayPen& pen, const std::string& unit)
+    : Pen(pen)
+    , Unit(unit)
+  {
+  }
 
   double GetValueAt(double share) const
   {
@@ -365,7 +372,7 @@ vtkStandardNewMacro(vtkRelievoColorBar);
 
 //------------------------------------------------------------------------------
 vtkRelievoColorBar::vtkRelievoColorBar()
-  : Internal(new Internals)
+  : Internal(new Internals(*this->Pen, this->Unit))
 {
 }
 
@@ -402,22 +409,6 @@ void vtkRelievoColorBar::SetTitle(RELIEVO_TEXT title)
 std::string vtkRelievoColorBar::GetTitle()
 {
   return this->Internal->Title;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoColorBar::SetUnit(RELIEVO_TEXT unit)
-{
-  if (this->Internal->Unit != unit)
-  {
-    this->Internal->Unit = unit;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoColorBar::GetUnit()
-{
-  return this->Internal->Unit;
 }
 
 //------------------------------------------------------------------------------
@@ -469,19 +460,10 @@ int vtkRelievoColorBar::RenderOverlay(vtkViewport* viewport)
     return 0;
   }
   own.Pen.Begin(viewport);
-  const double ink = this->Backdrop ? 1.0
-    : this->Ink == INK_AUTOMATIC    ? vtkRelievoAnnotation::GetInk(renderer)[0]
-                                    : this->Ink == INK_WHITE;
+  const double ink = this->Backdrop ? 1.0 : this->GetShownInk(renderer);
   own.AddAll(own.LayOut(this, renderer), ink, this->Backdrop);
   own.Pen.Draw();
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoColorBar::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Internal->Pen.ReleaseGraphicsResources(window);
-  this->Superclass::ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------
@@ -490,15 +472,12 @@ void vtkRelievoColorBar::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LookupTable: " << this->Internal->Map << "\n";
   os << indent << "Title: " << this->Internal->Title << "\n";
-  os << indent << "Unit: " << this->Internal->Unit << "\n";
   os << indent << "Place: " << this->Place << "\n";
   os << indent << "Share: " << this->Share << "\n";
   os << indent << "Middle: " << this->Middle << "\n";
-  os << indent << "TextSize: " << this->TextSize << "\n";
   os << indent << "Steps: " << this->Steps << "\n";
   os << indent << "BelowBox: " << this->BelowBox << "\n";
   os << indent << "AboveBox: " << this->AboveBox << "\n";
   os << indent << "NanBox: " << this->NanBox << "\n";
-  os << indent << "Ink: " << this->Ink << "\n";
   os << indent << "Backdrop: " << this->Backdrop << "\n";
 }

@@ -7,7 +7,8 @@
  * Add it to a renderer like any prop (vtkRenderer::AddViewProp); it has no light and no tone, and
  * is in no layer. It lays itself out in each frame for the picture's size, also in tiles. The
  * colours are smooth if the map is: one for each row of pixels. Values are at 1, 2 or 5 times
- * powers of ten; long numbers share a factor, which is in the title. Texts are in DejaVu Sans if
+ * powers of ten; long numbers share a factor, which is in the title with the unit, in parentheses.
+ * The least size of texts is 11 pixels, unless TextSize is set. Texts are in DejaVu Sans if
  * the system has it (or the environment variable RELIEVO_FONT names a font's file), else in VTK's
  * own font, which has no superscripts and few Greek letters.
  *
@@ -16,9 +17,9 @@
 #ifndef vtkRelievoColorBar_h
 #define vtkRelievoColorBar_h
 
-#include "vtkActor2D.h"
 #include "vtkRelievoEffectsModule.h" // for the export macro
-#include "vtkRelievoText.h"          // for texts
+#include "vtkRelievoOverlayBar.h"
+#include "vtkRelievoText.h" // for texts
 
 #include <memory> // for the internals
 #include <string> // for texts
@@ -26,11 +27,11 @@
 class vtkRenderer;
 class vtkScalarsToColors;
 
-class VTKRELIEVOEFFECTS_EXPORT vtkRelievoColorBar : public vtkActor2D
+class VTKRELIEVOEFFECTS_EXPORT vtkRelievoColorBar : public vtkRelievoOverlayBar
 {
 public:
   static vtkRelievoColorBar* New();
-  vtkTypeMacro(vtkRelievoColorBar, vtkActor2D);
+  vtkTypeMacro(vtkRelievoColorBar, vtkRelievoOverlayBar);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -43,12 +44,6 @@ public:
   /** The name of the values, in UTF-8; above the bar. Default: none. */
   void SetTitle(RELIEVO_TEXT title);
   std::string GetTitle();
-  ///@}
-
-  ///@{
-  /** The values' unit, in UTF-8; in parentheses after the title. Default: none. */
-  void SetUnit(RELIEVO_TEXT unit);
-  std::string GetUnit();
   ///@}
 
   ///@{
@@ -83,12 +78,6 @@ public:
   ///@}
 
   ///@{
-  /** Height of the font, pixels. Default 0: by the shorter side of the picture, at least 11. */
-  vtkSetClampMacro(TextSize, double, 0.0, 1000.0);
-  vtkGetMacro(TextSize, double);
-  ///@}
-
-  ///@{
   /** Number of colours of a map in steps; up to 12, values are where the colours change. Default
    * 0. */
   vtkSetClampMacro(Steps, int, 0, 256);
@@ -106,19 +95,6 @@ public:
   vtkSetMacro(NanBox, bool);
   vtkGetMacro(NanBox, bool);
   vtkBooleanMacro(NanBox, bool);
-  ///@}
-
-  enum Inks
-  {
-    INK_AUTOMATIC,
-    INK_BLACK,
-    INK_WHITE
-  };
-
-  ///@{
-  /** The colour of texts and lines. Default: black or white, by the background. */
-  vtkSetClampMacro(Ink, int, INK_AUTOMATIC, INK_WHITE);
-  vtkGetMacro(Ink, int);
   ///@}
 
   ///@{
@@ -141,14 +117,8 @@ public:
    */
   std::string GetTexts(vtkRenderer* renderer);
 
-  ///@{
   /** Called by the renderer. */
-  int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
-  int RenderTranslucentPolygonalGeometry(vtkViewport*) override { return 0; }
-  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
   int RenderOverlay(vtkViewport* viewport) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-  ///@}
 
 protected:
   vtkRelievoColorBar();
@@ -157,12 +127,10 @@ protected:
   int Place = PLACE_RIGHT;
   double Share = 0.5;
   double Middle = 0.5;
-  double TextSize = 0.0;
   int Steps = 0;
   bool BelowBox = false;
   bool AboveBox = false;
   bool NanBox = false;
-  int Ink = INK_AUTOMATIC;
   bool Backdrop = false;
 
 private:

@@ -307,7 +307,7 @@ void vtkRelievoShadowProps::AddVolume(
   }
   if (choice.Receives && volume->GetProperty()->GetShade())
   {
-    const std::string why = vtkRelievoVolumeExtinction::FindWhyNotPlaced(volume);
+    const std::string why = vtkRelievoPlacedVolume::FindWhyNotPlaced(volume);
     if (!why.empty())
     {
       this->VolumesWithout += "; a volume receives none: " + why;

@@ -10,7 +10,7 @@
 #include "vtkRelievoPointGroups.h"
 #include "vtkRelievoShadowRegion.h"
 #include "vtkRelievoSplicedKeys.h"
-#include "vtkRelievoVolumeExtinction.h"
+#include "vtkRelievoPlacedVolume.h"
 #include "vtkWeakPointer.h"
 
 #include <cstdint>

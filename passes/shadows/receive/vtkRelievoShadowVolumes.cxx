@@ -11,7 +11,7 @@
 #include "vtkRelievoShadowMapUniforms.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoSpliceText.h"
-#include "vtkRelievoVolumeExtinction.h"
+#include "vtkRelievoPlacedVolume.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
@@ -271,7 +271,7 @@ void vtkRelievoShadowVolumes::SetUniforms(vtkShaderProgram* program, vtkVolumeMa
     return;
   }
   const vtkRelievoShadowContext& work = shadows.Work;
-  const glm::dmat4 placeToWorld = vtkRelievoVolumeExtinction::GetTextureToWorld(mapper, volume);
+  const glm::dmat4 placeToWorld = vtkRelievoPlacedVolume::GetTextureToWorld(mapper, volume);
   const glm::dmat4 placeToView = work.View.WorldToView * placeToWorld;
   vtkRelievoShadowMapUniforms faces(work, work.Structure.GetFaces(), placeToView);
   std::vector<float> strengths;

@@ -95,6 +95,10 @@ public:
   std::map<std::string, std::string> Settings;
   std::vector<std::string> Versions;
 
+  // The setting with the number of samples per pixel, and that number; -1: unknown.
+  static constexpr const char* SamplesSetting = "multisamples";
+  int GetSamples() const;
+
   bool HasCamera = false;
   double Near = 0., Far = 0.;
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <set>
 
@@ -429,6 +430,13 @@ void Frame::ReadLights(vtkImageData* image)
     light.Values = json;
     this->Lights.push_back(light);
   }
+}
+
+//------------------------------------------------------------------------------
+int Frame::GetSamples() const
+{
+  const auto found = this->Settings.find(SamplesSetting);
+  return found == this->Settings.end() ? -1 : std::atoi(found->second.c_str());
 }
 
 //------------------------------------------------------------------------------

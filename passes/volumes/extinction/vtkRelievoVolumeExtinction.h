@@ -13,6 +13,8 @@
 #ifndef vtkRelievoVolumeExtinction_h
 #define vtkRelievoVolumeExtinction_h
 
+#include "vtkRelievoVolumeChannel.h"
+#include "vtkRelievoVolumeCuts.h"
 #include "vtkRelievoVolumesModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
@@ -20,28 +22,11 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 class vtkDataArray;
-class vtkImageData;
-class vtkMatrix4x4;
-class vtkPiecewiseFunction;
-class vtkVolume;
-class vtkVolumeMapper;
-class vtkVolumeProperty;
-
-// A volume where it is drawn.
-struct VTKRELIEVOVOLUMES_EXPORT vtkRelievoPlacedVolume
-{
-  // Without a matrix to the world: where its own one places it.
-  vtkRelievoPlacedVolume(vtkVolume* volume, vtkMatrix4x4* toWorld = nullptr);
-
-  vtkVolume* Volume;
-  glm::dmat4 ToWorld;
-};
+struct vtkRelievoPlacedVolume;
 
 class VTKRELIEVOVOLUMES_EXPORT vtkRelievoVolumeExtinction
 {
@@ -56,17 +41,6 @@ public:
   // draw. `colored`: with tints, of fields that are not white.
   static std::vector<vtkRelievoVolumeExtinction> Collect(
     const vtkRelievoPlacedVolume& placed, std::string& why, bool colored = false);
-
-  // Why the shader of a volume's mapper, if it has one, cannot place samples in the world by
-  // GetTextureToWorld, as the end of a sentence, or "".
-  static std::string FindWhyNotPlaced(vtkVolume* volume);
-
-  // From the texture coordinates of the mapper's image, as VTK's ray march has them, to the world.
-  static glm::dmat4 GetTextureToWorld(vtkVolumeMapper* mapper, vtkVolume* volume);
-
-  // The state of everything that the fields of a volume depend on, for comparison. Cheap.
-  static void AddState(
-    const vtkRelievoPlacedVolume& placed, bool colored, std::vector<std::uint64_t>& state);
 
   // The corners of the image, in world coordinates.
   const std::vector<glm::dvec3>& GetCorners() const { return this->Corners; }
@@ -91,57 +65,13 @@ public:
   double GetDepth(const glm::dvec3& from, const glm::dvec3& to) const;
 
 private:
-  // A function whose values are found faster than by VTK, which passes its nodes one by one.
-  class Curve
-  {
-  public:
-    void Set(vtkPiecewiseFunction* function);
-    explicit operator bool() const { return this->Function != nullptr; }
-    double Get(double x) const;
-
-  private:
-    vtkSmartPointer<vtkPiecewiseFunction> Function;
-    std::vector<glm::dvec2> Nodes; // empty: between nodes, or outside, it is not linear
-  };
-
-  // A component with an opacity.
-  struct Channel
-  {
-    int Component = 0;
-    float Weight = 1.f;
-    std::vector<float> Extinction; // of scalars, per unit of length in the volume's coordinates
-    float First = 0.f;             // the scalar of its first entry
-    float PerScalar = 0.f;         // entries
-    // Of the gradient's length, from 0 to a quarter of the scalars' range, beyond which it stays;
-    // empty: none. The length is that of differences of neighbours, each times its weight.
-    std::vector<float> GradientOpacity;
-    glm::vec3 Weights{ 1.f };
-    std::vector<glm::vec3> Tints; // of the scalars of the component TintBy; empty: none
-    int TintBy = 0;
-    float FirstTint = 0.f;
-    float PerTint = 0.f;
-    Curve Opacity; // for GetDepth
-    Curve Gradient;
-    double Range[2] = { 0.0, 1.0 };
-    double Unit = 1.0;
-    double Steepest = 1.0; // gradient length, where the gradient's table ends
-
-    void AddTints(vtkVolumeProperty* property, vtkDataArray* array, int function);
-  };
-
-  Channel MakeChannel(
-    vtkVolumeProperty* property, vtkImageData* image, int component, int function) const;
-  void Hide(vtkImageData* image, bool cells);
-  std::string Mask(vtkVolumeMapper* mapper);
   bool SetPlace(const glm::dmat4& toWorld, const glm::dmat4& indexToData);
-  void SetCuts(vtkVolumeMapper* mapper, const glm::dmat4& indexToData);
 
-  template <typename Real>
-  bool IsThere(const glm::vec<3, Real>& place) const;
   template <typename T, typename Real>
   Real GetScalar(const T* values, int component, const glm::vec<3, Real>& place) const;
   template <typename T>
-  float GetExtinction(const Channel& channel, const T* values, const glm::vec3& place) const;
+  float GetExtinction(
+    const vtkRelievoVolumeChannel& channel, const T* values, const glm::vec3& place) const;
   template <typename T>
   glm::vec4 GetAll(const T* values, const glm::vec3& place, bool tinted) const;
   template <typename T>
@@ -157,7 +87,7 @@ private:
   bool Clip(const glm::dvec3& from, const glm::dvec3& step, double& first, double& last) const;
 
   vtkSmartPointer<vtkDataArray> Array;
-  std::vector<Channel> Channels;
+  std::vector<vtkRelievoVolumeChannel> Channels;
   int Size[3] = { 1, 1, 1 };   // samples
   double Low[3] = { 0, 0, 0 }; // of the box, in indices of samples
   double High[3] = { 0, 0, 0 };
@@ -166,13 +96,7 @@ private:
   glm::dmat3 IndexToData{ 1.0 }; // of directions: lengths count in the volume's own coordinates
   glm::dmat3 Axes{ 1.0 };
   std::vector<glm::dvec3> Corners;
-  std::vector<glm::dvec4> Planes;        // in world coordinates: positive inside
-  int Cropped = -1;                      // flags of the 27 regions; -1: none is cut
-  double Crop[6] = { 0, 0, 0, 0, 0, 0 }; // in indices of samples
-  // Whether nothing is drawn between a sample and the next ones; of samples, whether their mask is
-  // 0. Null: drawn everywhere.
-  std::shared_ptr<std::vector<bool>> Hidden;
-  std::shared_ptr<std::vector<bool>> Masked;
+  vtkRelievoVolumeCuts Cuts;
 };
 
 #endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoVolumeImages.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkRelievoMatrix.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeMapper.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+std::vector<vtkImageData*> vtkRelievoVolumeImages::Find(vtkDataObject* data, bool& others)
+{
+  std::vector<vtkImageData*> images;
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    images.push_back(image);
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      const std::vector<vtkImageData*> more = Find(leaf->GetCurrentDataObject(), others);
+      images.insert(images.end(), more.begin(), more.end());
+    }
+  }
+  else
+  {
+    others = others || data;
+  }
+  return images;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkRelievoVolumeImages::GetScalars(
+  vtkVolumeMapper* mapper, vtkImageData* image, int& cells)
+{
+  return vtkAbstractMapper::GetScalars(image, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+    mapper->GetArrayId(), mapper->GetArrayName(), cells);
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkRelievoVolumeImages::GetIndexToData(vtkImageData* image, bool cells, int size[3])
+{
+  int extent[6];
+  image->GetExtent(extent);
+  glm::dmat4 toCorner(1.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    const int across = extent[2 * i + 1] - extent[2 * i];
+    size[i] = std::max(1, cells ? across : across + 1);
+    toCorner[3][i] = extent[2 * i] + (cells ? 0.5 : 0.0);
+  }
+  return vtkRelievoToGlm(image->GetIndexToPhysicalMatrix()) * toCorner;
+}

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The images that a volume's mapper draws, and their samples.
+#ifndef vtkRelievoVolumeImages_h
+#define vtkRelievoVolumeImages_h
+
+#include <glm/mat4x4.hpp>
+
+#include <vector>
+
+class vtkDataArray;
+class vtkDataObject;
+class vtkImageData;
+class vtkVolumeMapper;
+
+namespace vtkRelievoVolumeImages
+{
+// The images among the data; `others`: whether there are data of other types.
+std::vector<vtkImageData*> Find(vtkDataObject* data, bool& others);
+
+// The values that the mapper draws; `cells`: whether they belong to cells.
+vtkDataArray* GetScalars(vtkVolumeMapper* mapper, vtkImageData* image, int& cells);
+
+// From indices of samples, which are points or the centres of cells; and their number.
+glm::dmat4 GetIndexToData(vtkImageData* image, bool cells, int size[3]);
+}
+
+#endif
