@@ -65,14 +65,14 @@ std::string Escape(const std::string& text)
   return out;
 }
 
-// Whether the window has a wrong alpha of translucent surfaces, which the linear colour has right.
+// Whether the window has a wrong alpha of translucent surfaces. The linear colour has it right, but
+// not with FXAA.
 bool LosesAlpha(vtkRenderer* renderer, vtkRelievoPass* pass)
 {
 #ifdef RELIEVO_VTK_AVERAGED_TRANSMITTANCE
   vtkRelievoStage* blend = pass->GetStage("blend");
   const bool averaged = renderer->GetRenderWindow()->GetAlphaBitPlanes() != 0 &&
-    !renderer->GetUseDepthPeeling() && !renderer->GetUseFXAA() &&
-    !(blend && blend->GetReasonCode() == "ran");
+    !renderer->GetUseDepthPeeling() && !(blend && blend->GetReasonCode() == "ran");
   vtkCollectionSimpleIterator it;
   renderer->GetViewProps()->InitTraversal(it);
   for (vtkProp* prop = nullptr; averaged && (prop = renderer->GetViewProps()->GetNextProp(it));)
@@ -277,24 +277,26 @@ int vtkRelievoLayerSource::RequestData(
   if (good && color)
   {
     vtkRelievoLayerSource::AddColor(this->Renderer, image);
-    if (LosesAlpha(this->Renderer, pass))
+  }
+  const std::string& named = vtkRelievoLayerCatalogue::GetPicture().Name;
+  vtkDataArray* colors = image->GetPointData()->GetArray(named.c_str());
+  const bool smooth = this->Renderer->GetUseFXAA();
+  if (good && colors && (color || smooth) && LosesAlpha(this->Renderer, pass))
+  {
+    if (!pass->IsLayerRequested(named))
     {
-      const std::string& name = vtkRelievoLayerCatalogue::GetPicture().Name;
-      if (!pass->IsLayerRequested(name))
-      {
-        pass->RequestLayer(name);
-        added.push_back(name);
-      }
-      vtkNew<vtkImageData> linear;
-      pass->WaitForSamplesOn();
-      good = this->Draw(pass, false) && pass->ReadLayer(name, linear);
-      pass->SetWaitForSamples(waits);
-      if (good)
-      {
-        image->GetPointData()
-          ->GetArray(name.c_str())
-          ->CopyComponent(3, linear->GetPointData()->GetArray(name.c_str()), 3);
-      }
+      pass->RequestLayer(named);
+      added.push_back(named);
+    }
+    vtkNew<vtkImageData> linear;
+    pass->WaitForSamplesOn();
+    this->Renderer->SetUseFXAA(false);
+    good = this->Draw(pass, false) && pass->ReadLayer(named, linear);
+    this->Renderer->SetUseFXAA(smooth);
+    pass->SetWaitForSamples(waits);
+    if (good)
+    {
+      colors->CopyComponent(3, linear->GetPointData()->GetArray(named.c_str()), 3);
     }
   }
   // In the order in which they were asked for.
