@@ -67,10 +67,11 @@ std::string Escape(const std::string& text)
 
 // Whether the window has a wrong alpha of translucent surfaces. The linear colour has it right, but
 // not with FXAA.
-bool LosesAlpha(vtkRenderer* renderer, vtkRelievoPass* pass)
+bool LosesAlpha(vtkRenderer* renderer)
 {
 #ifdef RELIEVO_VTK_AVERAGED_TRANSMITTANCE
-  vtkRelievoStage* blend = pass->GetStage("blend");
+  auto* pass = vtkRelievoPass::SafeDownCast(renderer->GetPass());
+  vtkRelievoStage* blend = pass ? pass->GetStage("blend") : nullptr;
   const bool averaged = renderer->GetRenderWindow()->GetAlphaBitPlanes() != 0 &&
     !renderer->GetUseDepthPeeling() && !(blend && blend->GetReasonCode() == "ran");
   vtkCollectionSimpleIterator it;
@@ -85,7 +86,6 @@ bool LosesAlpha(vtkRenderer* renderer, vtkRelievoPass* pass)
   return false;
 #else
   static_cast<void>(renderer);
-  static_cast<void>(pass);
   return false;
 #endif
 }
@@ -278,26 +278,11 @@ int vtkRelievoLayerSource::RequestData(
   {
     vtkRelievoLayerSource::AddColor(this->Renderer, image);
   }
-  const std::string& named = vtkRelievoLayerCatalogue::GetPicture().Name;
-  vtkDataArray* colors = image->GetPointData()->GetArray(named.c_str());
-  const bool smooth = this->Renderer->GetUseFXAA();
-  if (good && colors && (color || smooth) && LosesAlpha(this->Renderer, pass))
+  const std::string& picture = vtkRelievoLayerCatalogue::GetPicture().Name;
+  if (good && image->GetPointData()->HasArray(picture.c_str()) &&
+    (color || this->Renderer->GetUseFXAA()))
   {
-    if (!pass->IsLayerRequested(named))
-    {
-      pass->RequestLayer(named);
-      added.push_back(named);
-    }
-    vtkNew<vtkImageData> linear;
-    pass->WaitForSamplesOn();
-    this->Renderer->SetUseFXAA(false);
-    good = this->Draw(pass, false) && pass->ReadLayer(named, linear);
-    this->Renderer->SetUseFXAA(smooth);
-    pass->SetWaitForSamples(waits);
-    if (good)
-    {
-      colors->CopyComponent(3, linear->GetPointData()->GetArray(named.c_str()), 3);
-    }
+    good = vtkRelievoLayerSource::AmendAlpha(this->Renderer, image);
   }
   // In the order in which they were asked for.
   for (std::size_t i = 0; i < this->Layers.size() && good; ++i)
@@ -405,6 +390,39 @@ void vtkRelievoLayerSource::AddColor(vtkRenderer* renderer, vtkImageData* image)
     out[4 * i + 3] = hasAlpha ? static_cast<float>(bytes->GetValue(4 * i + 3)) / 255.0f : 1.0f;
   }
   image->GetPointData()->AddArray(color);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLayerSource::AmendAlpha(vtkRenderer* renderer, vtkImageData* image)
+{
+  const char* name = vtkRelievoLayerCatalogue::GetPicture().Name.c_str();
+  vtkDataArray* color = image ? image->GetPointData()->GetArray(name) : nullptr;
+  if (!renderer || !renderer->GetRenderWindow() || !color)
+  {
+    vtkGenericWarningMacro(
+      "AmendAlpha was given " << (color ? "no renderer in a window; give it one that was drawn."
+                                        : "no image with the layer 'color'; use AddColor."));
+    return false;
+  }
+  if (!LosesAlpha(renderer))
+  {
+    return true;
+  }
+  const bool smooth = renderer->GetUseFXAA();
+  renderer->SetUseFXAA(false);
+  vtkNew<vtkRelievoLayerSource> linear;
+  linear->SetRenderer(renderer);
+  linear->HDROn();
+  linear->AddLayer(name);
+  linear->Update();
+  renderer->SetUseFXAA(smooth);
+  vtkDataArray* right = linear->GetOutput()->GetPointData()->GetArray(name);
+  if (!right || right->GetNumberOfTuples() != color->GetNumberOfTuples())
+  {
+    return false;
+  }
+  color->CopyComponent(3, right, 3);
+  return true;
 }
 
 //------------------------------------------------------------------------------
