@@ -65,14 +65,15 @@ std::string Escape(const std::string& text)
   return out;
 }
 
-// Whether the window has a wrong alpha of translucent surfaces, which the linear colour has right.
-bool LosesAlpha(vtkRenderer* renderer, vtkRelievoPass* pass)
+// Whether the window has a wrong alpha of translucent surfaces. The linear colour has it right, but
+// not with FXAA.
+bool LosesAlpha(vtkRenderer* renderer)
 {
 #ifdef RELIEVO_VTK_AVERAGED_TRANSMITTANCE
-  vtkRelievoStage* blend = pass->GetStage("blend");
+  auto* pass = vtkRelievoPass::SafeDownCast(renderer->GetPass());
+  vtkRelievoStage* blend = pass ? pass->GetStage("blend") : nullptr;
   const bool averaged = renderer->GetRenderWindow()->GetAlphaBitPlanes() != 0 &&
-    !renderer->GetUseDepthPeeling() && !renderer->GetUseFXAA() &&
-    !(blend && blend->GetReasonCode() == "ran");
+    !renderer->GetUseDepthPeeling() && !(blend && blend->GetReasonCode() == "ran");
   vtkCollectionSimpleIterator it;
   renderer->GetViewProps()->InitTraversal(it);
   for (vtkProp* prop = nullptr; averaged && (prop = renderer->GetViewProps()->GetNextProp(it));)
@@ -85,7 +86,6 @@ bool LosesAlpha(vtkRenderer* renderer, vtkRelievoPass* pass)
   return false;
 #else
   static_cast<void>(renderer);
-  static_cast<void>(pass);
   return false;
 #endif
 }
@@ -277,25 +277,12 @@ int vtkRelievoLayerSource::RequestData(
   if (good && color)
   {
     vtkRelievoLayerSource::AddColor(this->Renderer, image);
-    if (LosesAlpha(this->Renderer, pass))
-    {
-      const std::string& name = vtkRelievoLayerCatalogue::GetPicture().Name;
-      if (!pass->IsLayerRequested(name))
-      {
-        pass->RequestLayer(name);
-        added.push_back(name);
-      }
-      vtkNew<vtkImageData> linear;
-      pass->WaitForSamplesOn();
-      good = this->Draw(pass, false) && pass->ReadLayer(name, linear);
-      pass->SetWaitForSamples(waits);
-      if (good)
-      {
-        image->GetPointData()
-          ->GetArray(name.c_str())
-          ->CopyComponent(3, linear->GetPointData()->GetArray(name.c_str()), 3);
-      }
-    }
+  }
+  const std::string& picture = vtkRelievoLayerCatalogue::GetPicture().Name;
+  if (good && image->GetPointData()->HasArray(picture.c_str()) &&
+    (color || this->Renderer->GetUseFXAA()))
+  {
+    good = vtkRelievoLayerSource::AmendAlpha(this->Renderer, image);
   }
   // In the order in which they were asked for.
   for (std::size_t i = 0; i < this->Layers.size() && good; ++i)
@@ -403,6 +390,39 @@ void vtkRelievoLayerSource::AddColor(vtkRenderer* renderer, vtkImageData* image)
     out[4 * i + 3] = hasAlpha ? static_cast<float>(bytes->GetValue(4 * i + 3)) / 255.0f : 1.0f;
   }
   image->GetPointData()->AddArray(color);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLayerSource::AmendAlpha(vtkRenderer* renderer, vtkImageData* image)
+{
+  const char* name = vtkRelievoLayerCatalogue::GetPicture().Name.c_str();
+  vtkDataArray* color = image ? image->GetPointData()->GetArray(name) : nullptr;
+  if (!renderer || !renderer->GetRenderWindow() || !color)
+  {
+    vtkGenericWarningMacro(
+      "AmendAlpha was given " << (color ? "no renderer in a window; give it one that was drawn."
+                                        : "no image with the layer 'color'; use AddColor."));
+    return false;
+  }
+  if (!LosesAlpha(renderer))
+  {
+    return true;
+  }
+  const bool smooth = renderer->GetUseFXAA();
+  renderer->SetUseFXAA(false);
+  vtkNew<vtkRelievoLayerSource> linear;
+  linear->SetRenderer(renderer);
+  linear->HDROn();
+  linear->AddLayer(name);
+  linear->Update();
+  renderer->SetUseFXAA(smooth);
+  vtkDataArray* right = linear->GetOutput()->GetPointData()->GetArray(name);
+  if (!right || right->GetNumberOfTuples() != color->GetNumberOfTuples())
+  {
+    return false;
+  }
+  color->CopyComponent(3, right, 3);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -96,6 +96,13 @@ public:
     vtkRenderer* renderer, vtkImageData* image, vtkRelievoPass* frame = nullptr);
   ///@}
 
+  /**
+   * Corrects the alpha of an image's layer `color` where VTK blends translucent surfaces with a
+   * wrong one (VTK before 9.3, without depth peeling). This draws the frame once more, without
+   * changing the window. False, after an error, if it cannot be drawn.
+   */
+  static bool AmendAlpha(vtkRenderer* renderer, vtkImageData* image);
+
 protected:
   vtkRelievoLayerSource();
   ~vtkRelievoLayerSource() override;

@@ -82,6 +82,14 @@ struct Drawn
   vtkSmartPointer<vtkFloatArray> Depth; // if it was asked for
 };
 
+// The stage `tone`, if it makes the picture.
+vtkRelievoToneStage* GetTone(vtkRenderer* renderer)
+{
+  auto* frame = vtkRelievoPass::SafeDownCast(renderer->GetPass());
+  vtkRelievoToneStage* tone = frame ? frame->GetToneStage() : nullptr;
+  return tone && tone->GetChangesPicture() ? tone : nullptr;
+}
+
 // The window's picture, decoded, or the linear colour of the frame.
 Drawn Draw(vtkRenderer* renderer, int columns, int rows, bool isPicture, bool depth)
 {
@@ -89,7 +97,7 @@ Drawn Draw(vtkRenderer* renderer, int columns, int rows, bool isPicture, bool de
   renderer->ResetCameraClippingRange();
   vtkNew<vtkRelievoLayerSource> source;
   vtkNew<vtkImageData> image;
-  if (isPicture)
+  if (isPicture && GetTone(renderer)) // the source gives the light before it
   {
     auto* frame = vtkRelievoPass::SafeDownCast(renderer->GetPass());
     const bool waits = frame->GetWaitForSamples();
@@ -101,7 +109,7 @@ Drawn Draw(vtkRenderer* renderer, int columns, int rows, bool isPicture, bool de
   else
   {
     source->SetRenderer(renderer);
-    source->HDROn();
+    source->SetHDR(!isPicture);
     source->AddLayer(Color);
     if (depth)
     {
@@ -405,19 +413,11 @@ void vtkRelievoLensPicture::PutBehind(
 }
 
 //------------------------------------------------------------------------------
-// The stage `tone`, if it makes the picture.
-vtkRelievoToneStage* vtkRelievoLensPicture::GetTone()
-{
-  auto* frame = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass());
-  vtkRelievoToneStage* tone = frame ? frame->GetToneStage() : nullptr;
-  return tone && tone->GetChangesPicture() ? tone : nullptr;
-}
-
-//------------------------------------------------------------------------------
 // Whether automatic exposure looks at what is drawn.
 bool vtkRelievoLensPicture::IsMetered()
 {
-  return this->Picture && this->GetTone() && this->GetTone()->GetAutoExposure();
+  vtkRelievoToneStage* tone = GetTone(this->Renderer);
+  return this->Picture && tone && tone->GetAutoExposure();
 }
 
 //------------------------------------------------------------------------------
@@ -487,7 +487,7 @@ int vtkRelievoLensPicture::RequestData(
     return 0;
   }
   this->Gradient = this->Renderer->GetGradientBackground();
-  vtkRelievoToneStage* tone = this->GetTone();
+  vtkRelievoToneStage* tone = GetTone(this->Renderer);
   const bool isLinear = this->HDR || tone;
   vtkSmartPointer<vtkFloatArray> color = isLinear ? this->DrawAll(false) : nullptr;
   vtkSmartPointer<vtkFloatArray> shown;

@@ -43,7 +43,6 @@ class vtkFloatArray;
 class vtkRelievoCameraModel;
 class vtkRelievoLensViews;
 struct vtkRelievoLensView;
-class vtkRelievoToneStage;
 class vtkRenderer;
 
 class VTKRELIEVOPASSES_EXPORT vtkRelievoLensPicture : public vtkImageAlgorithm
@@ -104,7 +103,6 @@ private:
   bool DrawViews(vtkFloatArray* color, bool isPicture);
   bool DrawWhole(vtkFloatArray* color, bool isPicture);
   void PutBehind(const vtkRelievoLensViews& views, const vtkRelievoLensView& view);
-  vtkRelievoToneStage* GetTone();
   bool IsMetered();
   bool IsDrawn(float alpha, float depth);
 

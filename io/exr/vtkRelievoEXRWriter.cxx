@@ -43,7 +43,6 @@ struct vtkRelievoEXRWriter::Internals
       , Height(height)
     {
       this->Stream = std::make_unique<OutputStream>(name);
-      this->File.Begin(*this->Stream);
     }
     std::unique_ptr<OutputStream> Stream;
     Output File; // uses the stream even when it is destroyed
@@ -276,7 +275,8 @@ void vtkRelievoEXRWriter::TryRows(vtkImageData* image, int lowest, int count, in
   std::unique_ptr<Internals::Unfinished>& rows = this->Internal->Rows;
   const char* advice = "this should not happen: please report it with the image";
   const Failure failure = relievo::exr::Translate(advice, [&] {
-    if (!rows)
+    const bool isNew = !rows;
+    if (isNew)
     {
       if (!this->FileName || !*this->FileName)
       {
@@ -291,6 +291,10 @@ void vtkRelievoEXRWriter::TryRows(vtkImageData* image, int lowest, int count, in
     }
     try
     {
+      if (isNew)
+      {
+        rows->File.Begin(*rows->Stream);
+      }
       rows->File.WriteRows(image, lowest, count, [this](double progress) {
         this->UpdateProgress(progress);
         return !this->GetAbortExecute();

@@ -143,13 +143,23 @@ VideoFile::~VideoFile()
 }
 
 //------------------------------------------------------------------------------
-// Throws with the last line that ffmpeg has printed.
-void VideoFile::Fail()
+// The errors that ffmpeg has printed.
+std::string VideoFile::GetErrors() const
 {
   std::string text(65536, '\0');
   const ssize_t got = pread(this->Errors, text.data(), text.size(), 0);
   text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
   text.erase(text.find_last_not_of('\n') + 1);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// Throws with the system's message or with the last line that ffmpeg has printed.
+void VideoFile::Fail()
+{
+  std::string text = this->GetErrors();
+  const std::string full = "No space left on device";
+  text = text.find(full) != std::string::npos ? full : text;
   text.erase(0, text.rfind('\n') + 1); // npos + 1 is 0
   throw FileError(this->Name + ": ffmpeg cannot write it" + (text.empty() ? "" : ": " + text));
 }
@@ -197,7 +207,8 @@ void VideoFile::Finish()
   {
   }
   this->Process = 0;
-  if (status != 0)
+  // When the disk is full, ffmpeg 5 may say so and exit with 0.
+  if (status != 0 || !this->GetErrors().empty())
   {
     this->Fail();
   }

@@ -40,6 +40,7 @@ public:
   void Finish();
 
 private:
+  std::string GetErrors() const;
   [[noreturn]] void Fail();
 
   std::string Name;

@@ -112,6 +112,19 @@ class Layers(judge.StageTest):
         display = srgb.encoded(found["color"][..., :3].astype(float))
         self.near(numpy.rint(display * 255), pv.picture(self.view), "colour", level=0, share=0.0)
 
+    def test_alpha(self):
+        """Of both walls of a translucent ball, however the view sorts them."""
+        ball = layers.truth(self.scene)
+        ball = ball["sure"] & (ball["kind"] == layers.BALL)
+        simple.Hide(self.scene.ground, self.view)
+        simple.GetDisplayProperties(self.scene.ball, self.view).Opacity = 0.5
+        source = simple.RelievoLayers(View=self.view, Layers=["color", "range"])
+        for peeling in (1, 0):
+            self.view.DepthPeeling = peeling
+            source.SMProxy.InvokeCommand("GrabAgain")
+            alpha = layers.arrays(source)["color"][..., 3]
+            self.assertLess(numpy.abs(alpha[ball] - 0.75).max(), 0.006, peeling)
+
     def test_when_they_are_grabbed(self):
         source = simple.RelievoLayers()
         self.assertEqual(source.View, self.view, "the active view")

@@ -252,15 +252,24 @@ class Windows(unittest.TestCase):
         add(plane, (1, 1, 1), 0.5, blue)
         add(plane, (-1, -1, 0), 0.2, blue)
         add(sphere, (1, -1, 0), 0.99, blue)
-        for peeling in (False, True):
+        lens = relievo.Fisheye([[2000, 0, 39.5], [0, 2000, 39.5], [0, 0, 1]], (80, 80))
+        lens = lens.look_at((0, 0, 100), (0, 0, 0))
+        for peeling, smooth in ((False, False), (False, True), (True, False)):
             renderer.SetUseDepthPeeling(peeling)
+            renderer.SetUseFXAA(smooth)
             shot = relievo.screenshot(renderer, size=(80, 80), transparent=True).astype(int)
-            color = relievo.layer(relievo.capture(renderer, "color", size=(80, 80)), "color")
+            colors = [
+                relievo.layer(relievo.capture(renderer, "color", hdr=hdr, **of), "color")
+                for of in ({"size": (80, 80)}, {"camera": lens}) for hdr in (False, True)
+            ]  # fmt: skip
+            self.assertEqual(renderer.GetUseFXAA(), smooth)
             for place, alpha in (((20, 20), 0.75), ((20, 60), 1), ((60, 20), 0.2), ((60, 60), 1),
                                  ((40, 40), 0)):  # fmt: skip
                 pixel = shot[place]
-                self.assertAlmostEqual(pixel[3], 255 * alpha, delta=1.5, msg=(place, peeling))
-                self.assertAlmostEqual(color[place][3], alpha, delta=0.006, msg=(place, peeling))
+                how = (place, peeling, smooth)
+                self.assertAlmostEqual(pixel[3], 255 * alpha, delta=1.5, msg=how)
+                for color in colors:
+                    self.assertAlmostEqual(color[place][3], alpha, delta=0.006, msg=how)
                 expected = numpy.array(blue) * 255 * (alpha > 0)
                 numpy.testing.assert_allclose(pixel[:3], expected, atol=6, err_msg=str(place))
         self.assertEqual(renderer.GetBackground(), (0.2, 0.4, 0.6))

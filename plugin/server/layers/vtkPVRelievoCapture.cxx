@@ -289,6 +289,10 @@ void vtkPVRelievoCapture::ReadColor()
     return;
   }
   vtkRelievoLayerSource::AddColor(renderer, in.Image);
+  if (!view->GetUseDistributedRenderingForRender())
+  {
+    vtkRelievoLayerSource::AmendAlpha(renderer, in.Image);
+  }
   if (points == 0)
   {
     vtkPVRelievoView* settings = vtkPVRelievoView::Find(in.View);
