@@ -98,8 +98,10 @@ def main(source, cmake=None, ctest=None, *options):
     paraview = "-DRELIEVO_USE_PARAVIEW=ON" in options and shutil.which("pvpython")
     plugin = ["Relievo"] if paraview else []
     listed = run([cmake, "--build", build, "--target", "help"])
-    viewer = [name for name in ("relievo_tests_viewer",) if f"{name}:" in listed]
-    targets = ["relievo_tests_effects", "relievo", "relievo_python", *plugin, *viewer]
+    # The manual page is for testCliShell.
+    there = [name for name in ("relievo_tests_viewer", "relievoManual") if f"{name}:" in listed]
+    viewer = "relievo_tests_viewer" in there
+    targets = ["relievo_tests_effects", "relievo", "relievo_python", *plugin, *there]
     run([cmake, "--build", build, "--target", *targets])
     pages = "testPython_test(Layers|PointValues|SurfaceValues)|testCliShell"
     output = run([ctest, "--test-dir", build, "-R", f"^(test{NAME}Stage|{pages})$",
