@@ -437,10 +437,10 @@ std::string vtkRelievoFrameComparison::GetText()
     const std::size_t different = self.CountDifferent(kind);
     if (different > 0)
     {
+      const std::size_t most = std::max(all, different); // an added one is not among all
       counts += (counts.empty() ? "" : ", ") + std::to_string(different) + " of " +
-        std::to_string(std::max(all, different)) +
-        (std::string(kind) == "actor" ? (all == 1 ? " object" : " objects")
-                                      : (all == 1 ? " light" : " lights"));
+        std::to_string(most) + (std::string(kind) == "actor" ? " object" : " light") +
+        (most == 1 ? "" : "s");
     }
   }
   const std::size_t all =

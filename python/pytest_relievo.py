@@ -31,8 +31,8 @@ def pytest_addoption(parser):
     group.addoption("--relievo-update", action="store_true",
                     help="write baselines that are missing or differ; their tests are skipped")
     group.addoption("--relievo-report", metavar="DIR",
-                    help="folder for both frames (.exr, .png) and the causes (.json) of failures, "
-                    "relative to pytest's root folder")  # fmt: skip
+                    help="folder for both frames (.exr, .png), the causes (.json) and a page for "
+                    "browsers (.html) of failures, relative to pytest's root folder")  # fmt: skip
 
 
 def pytest_configure(config):
@@ -149,6 +149,7 @@ class _Baselines:
                 relievo.write_png(folder / f"{path.stem}.{word}.png", image, "color")
         if found is not None:
             (folder / f"{path.stem}.json").write_text(found.json + "\n", encoding="utf-8")
+            found.write_html(folder / f"{path.stem}.html")
         return f"Frames and causes: {self._shown(folder / path.stem)}.*\n"
 
 

@@ -342,12 +342,12 @@ std::string Frame::ReadRecord(vtkImageData* image)
   }
   if (version > RecordVersion)
   {
-    return "is a baseline of format " + WriteShort(version) + ", expected at most " +
+    return "has the baseline format " + WriteShort(version) + ", expected at most " +
       std::to_string(RecordVersion) + "; use a newer Relievo";
   }
   if (!(version >= 1.0)) // also refuses NaN
   {
-    return "is a baseline of format " + WriteShort(version) +
+    return "has the baseline format " + WriteShort(version) +
       ", expected at least 1; write the baseline again";
   }
   this->HasRecord = true;

@@ -197,6 +197,7 @@ class Report(unittest.TestCase):
         names = {ball: "<b>ball</b>"}
         relievo.write_baseline(folder / "report.exr", renderer, names=names)
         ball.SetPosition(0.1, 0, 0)
+        renderer.SetBackground(0.204, 0.3, 0.4)  # by one level, which is within the limits
         cls.found = relievo.compare(folder / "report.exr", renderer)
         cls.found.write_html(cls.path)
         cls.after = relievo.picture(relievo.capture(renderer, "color"), "color")
@@ -246,6 +247,12 @@ class Report(unittest.TestCase):
             self.assertEqual(self.painted(page, colors["shadow"]), 0)
             page.keyboard.press("Escape")
             self.assertGreaterEqual(self.painted(page, colors["shadow"]), shadow["pixels"])
+            # Pixels within the limits have their colour only when chosen.
+            rounding = [0x5B, 0x64, 0x72]
+            self.assertEqual(self.painted(page, rounding), 0)
+            page.get_by_role("button", name="rounding").last.click()
+            within = self.found.dict["within_limits"]["rounding"]
+            self.assertEqual(self.painted(page, rounding), within)
 
     def test_values(self):
         """Mouse and keys show colour, object and cause of a pixel."""

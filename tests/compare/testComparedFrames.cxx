@@ -236,7 +236,7 @@ void TestFiles()
   comparison->SetBaseline(compareTest::Draw(boxes));
   comparison->SetFrame(future);
   {
-    relievoTest::ExpectMessage expect("the frame is a baseline of format 9, expected at most 3");
+    relievoTest::ExpectMessage expect("the frame has the baseline format 9, expected at most 3");
     RELIEVO_CHECK(!comparison->Compare() && !comparison->GetAlike());
   }
   // An invalid record, and one with fewer objects than are visible.
@@ -311,7 +311,7 @@ void TestDamaged()
   zeroth->GetFieldData()->GetArray("baseline_version")->SetTuple1(0, 0);
   comparison->SetFrame(zeroth);
   {
-    relievoTest::ExpectMessage expect("the frame is a baseline of format 0, expected at least 1");
+    relievoTest::ExpectMessage expect("the frame has the baseline format 0, expected at least 1");
     RELIEVO_CHECK(!comparison->Compare());
   }
   // A random actor number.

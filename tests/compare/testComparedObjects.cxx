@@ -129,6 +129,16 @@ void TestAlike()
   }
   std::rotate(renamed.All.begin(), renamed.All.begin() + 1, renamed.All.end());
   CheckList(Compare(boxes, renamed), "", "renamed");
+  // The only object replaced by another one: two of two differ.
+  Boxes first = boxes, second = boxes;
+  first.All.resize(1);
+  second.All = { boxes.All[2] };
+  vtkNew<vtkRelievoFrameComparison> comparison;
+  comparison->SetBaseline(compareTest::Draw(first));
+  comparison->SetFrame(compareTest::Draw(second));
+  RELIEVO_CHECK(comparison->Compare());
+  RELIEVO_CHECK_THAT(
+    comparison->GetText().find(" 2 of 2 objects") != std::string::npos, comparison->GetText());
 }
 
 //------------------------------------------------------------------------------

@@ -439,7 +439,7 @@ class Pytest(unittest.TestCase):
         found = json.loads((report / "test_page" / "wheel.json").read_text())
         self.assertFalse(found["alike"])
         self.assertEqual({path.name for path in (report / "test_wheels").iterdir()},
-                         {f"twice_1.{end}" for end in ("json", "frame.exr", "frame.png",
+                         {f"twice_1.{end}" for end in ("json", "html", "frame.exr", "frame.png",
                                                        "baseline.exr", "baseline.png")})
         old = (report / "test_page" / "wheel.baseline.exr").read_bytes()
         self.assertEqual(old, (self.folder / "unit" / "baselines" / "wheel.exr").read_bytes())

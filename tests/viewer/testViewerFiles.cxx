@@ -7,9 +7,11 @@
 #include "ViewerTest.h"
 
 #include "ComparisonPanel.h"
+#include "ComparisonView.h"
 #include "Errors.h"
 
 #include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRelievoEXRReader.h"
@@ -33,6 +35,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <map>
 
 namespace testViewerFiles
 {
@@ -555,6 +558,32 @@ private Q_SLOTS:
     auto* panel = this->Window->findChild<viewer::ComparisonPanel*>();
     QVERIFY2(panel->GetComparison()->GetAlike(), panel->GetComparison()->GetText().c_str());
     QVERIFY(panel->findChild<QLabel*>("comparisonNotes")->text().contains("moved"));
+    // Pixels within the limits have their colours only when chosen.
+    vtkNew<vtkImageData> frame, causes;
+    frame->SetDimensions(4, 1, 1);
+    frame->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    frame->GetPointData()->GetScalars()->Fill(0.);
+    causes->SetDimensions(4, 1, 1);
+    causes->AllocateScalars(VTK_INT, 1);
+    std::map<int, QColor> colors;
+    for (const int cause :
+      { -1, viewer::ComparisonView::Rounding, viewer::ComparisonView::Edge, 0 })
+    {
+      causes->SetScalarComponentFromDouble(static_cast<int>(colors.size()), 0, 0, 0, cause);
+      colors[cause] = QColor(10 - 10 * cause, 0, 0);
+    }
+    colors.erase(-1);
+    auto* view = panel->findChild<viewer::ComparisonView*>();
+    view->SetFrames(frame, frame, causes, colors);
+    view->SetKind(viewer::ComparisonView::CAUSES);
+    const auto red = [&] {
+      const QImage image = view->GetImage();
+      return QVector<int>{ qRed(image.pixel(1, 0)), qRed(image.pixel(2, 0)),
+        qRed(image.pixel(3, 0)) };
+    };
+    QCOMPARE(red(), (QVector<int>{ 0, 0, 10 }));
+    view->Choose(viewer::ComparisonView::Rounding);
+    QCOMPARE(red(), (QVector<int>{ 30, 0, 0 }));
     // Another camera is seen in the colours alone.
     this->Window->GetView()->GetPicture().LookAlong({ 0., -1., 0. }, { 0., 0., -1. });
     this->Window->CompareWith(png);

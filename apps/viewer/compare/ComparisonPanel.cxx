@@ -27,9 +27,6 @@ constexpr int LeastWidth = 340; // of other panels
 constexpr int SwatchSide = 14;
 constexpr Qt::Key HeldKey = Qt::Key_B;
 
-// Values of vtkRelievoFrameComparison::GetCauses() that are not in the list of causes.
-constexpr int Rounding = -2, Edge = -3, Unexplained = -4;
-
 QString WriteCount(double count)
 {
   return QLocale().toString(static_cast<qlonglong>(count));
@@ -270,11 +267,12 @@ void ComparisonPanel::ShowCauses(const QJsonObject& result)
     }
   }
   const QJsonObject within = result["within_limits"].toObject();
-  this->AddRow(Unexplained, "unexplained", { "unexplained", "no cause explains these" },
-    result["unexplained"].toDouble());
-  this->AddRow(Edge, "edge", { "smooth edges", "within the limits" }, within["edge"].toDouble());
-  this->AddRow(
-    Rounding, "rounding", { "rounding", "within the limits" }, within["rounding"].toDouble());
+  this->AddRow(ComparisonView::Unexplained, "unexplained",
+    { "unexplained", "no cause explains these" }, result["unexplained"].toDouble());
+  this->AddRow(ComparisonView::Edge, "edge", { "smooth edges", "within the limits" },
+    within["edge"].toDouble());
+  this->AddRow(ComparisonView::Rounding, "rounding", { "rounding", "within the limits" },
+    within["rounding"].toDouble());
   QStringList unknown;
   for (const QJsonValue& word : result["cannot_be_detected"].toArray())
   {

@@ -132,8 +132,8 @@ void ComparisonView::Compose()
           ? Mix(qRgb(0, 0, 0), qRgb(grey, grey, grey), vtkRelievoComparisonReport::BehindCauses)
           : Mix(qRgb(0, 0, 0), line[x], vtkRelievoComparisonReport::AroundChosen);
         const auto color = this->Colors.find(causes[x]);
-        const bool isSeen =
-          color != this->Colors.end() && (!this->Chosen || *this->Chosen == causes[x]);
+        const bool isSeen = color != this->Colors.end() &&
+          (this->Chosen ? *this->Chosen == causes[x] : causes[x] != Rounding && causes[x] != Edge);
         line[x] = isSeen ? Mix(behind, color->second.rgb(),
                              isOfCauses ? 1.0 : vtkRelievoComparisonReport::OfChosen)
                          : behind;

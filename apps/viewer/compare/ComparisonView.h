@@ -26,6 +26,9 @@ class ComparisonView : public QWidget
   Q_OBJECT
 
 public:
+  /// Values of vtkRelievoFrameComparison::GetCauses() that are not in the list of causes.
+  static constexpr int Rounding = -2, Edge = -3, Unexplained = -4;
+
   enum Kind
   {
     BASELINE,
@@ -43,7 +46,7 @@ public:
   void SetKind(Kind kind);
   Kind GetKind() const { return this->Shown; }
 
-  /// Highlights and frames the pixels of one cause; none: of all.
+  /// Highlights and frames the pixels of one cause; none: of all differences beyond the limits.
   void Choose(std::optional<int> cause);
 
   /// The displayed picture, in the pixels of its frame.
