@@ -16,21 +16,26 @@ namespace
 int Run(std::vector<std::string> words)
 {
   const cli::Commands commands = cli::MakeCommands();
+  std::vector<std::string> names;
+  for (const auto& command : commands)
+  {
+    names.push_back(command->Describe().Name);
+  }
   const auto end = std::find(words.begin(), words.end(), "--");
+  const auto found =
+    words.empty() ? names.end() : std::find(names.begin(), names.end(), words.front());
+  const auto place = static_cast<std::size_t>(found - names.begin());
   if (std::find(words.begin(), end, "--help") != end || std::find(words.begin(), end, "-h") != end)
   {
-    std::fputs(cli::GetHelpPage(commands).c_str(), stdout);
+    const std::string page =
+      found == names.end() ? cli::GetHelpPage(commands) : cli::GetHelpPage(*commands[place]);
+    std::fputs(page.c_str(), stdout);
     return 0;
   }
   if (std::find(words.begin(), end, "--version") != end)
   {
     std::fputs(scene::DescribeVersions().c_str(), stdout);
     return 0;
-  }
-  std::vector<std::string> names;
-  for (const auto& command : commands)
-  {
-    names.push_back(command->Describe().Name);
   }
   if (words.empty())
   {
@@ -43,14 +48,13 @@ int Run(std::vector<std::string> words)
     std::fputs(cli::GetWords(commands).c_str(), stdout);
     return 0;
   }
-  const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
   {
     throw scene::UsageError("got '" + name + "', expected " + scene::Join(names, ", ") +
       ", --help or --version; see relievo --help");
   }
   words.erase(words.begin());
-  return commands[static_cast<std::size_t>(found - names.begin())]->Run(words);
+  return commands[place]->Run(words);
 }
 
 int Fail(const char* text, int status)

@@ -240,8 +240,17 @@ class Help(CliTest):
             self.assertRegex(page, rf"(?m)^  {option}( [A-Z]|  )")
         for line in page.splitlines():
             self.assertLessEqual(len(line), 100)
-        self.assertEqual(self.relievo("render", "--help").stdout, page)
         self.assertEqual(self.relievo("-h").stdout, page)
+        # The help of a command is its part of the page.
+        for name in ("render", "sun", "stages"):
+            own = self.relievo(name, "--none", "--help").stdout
+            use, rest = own.removeprefix("relievo ").split("\n", 1)
+            self.assertIn(f"\n  relievo {use}\n", page)
+            about, more = rest.rsplit("\n\n", 1)
+            self.assertTrue(use.startswith(name) and about.lstrip().startswith(f"{name} "), own)
+            self.assertIn(about + "\n", page)
+            self.assertEqual(more, "relievo --help describes all commands, with examples.\n")
+        self.assertIn("  --dates FIRST[:LAST[:EVERY]]", self.relievo("sun", "-h").stdout)
 
     def test_help_names_every_extension(self):
         (self.folder / "a.doc").write_text("")

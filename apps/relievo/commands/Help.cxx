@@ -61,12 +61,20 @@ std::string GetHelpPage(const Commands& commands)
   {
     page += "  relievo " + command->Describe().GetUse() + "\n";
   }
-  page += "  relievo --help | --version\n\n";
+  page += "  relievo [COMMAND] --help | --version\n\n";
   for (const auto& command : commands)
   {
     page += command->Describe().GetHelp() + "\n";
   }
   return page + Notes;
+}
+
+//------------------------------------------------------------------------------
+std::string GetHelpPage(const Command& command)
+{
+  const vtkRelievoCommand& about = command.Describe();
+  return "relievo " + about.GetUse() + "\n\n" + about.GetHelp() +
+    "\nrelievo --help describes all commands, with examples.\n";
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,9 @@ Commands MakeCommands();
 /// The output of `relievo --help`.
 std::string GetHelpPage(const Commands& commands);
 
+/// The output of `relievo COMMAND --help`.
+std::string GetHelpPage(const Command& command);
+
 /// The output of `relievo --words`, for completion in shells: vtkRelievoCommand::GetWords of each
 /// command, and of the viewer.
 std::string GetWords(const Commands& commands);
