@@ -28,8 +28,8 @@
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoOpticalDepths.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowStage.h>
 #include <vtkRelievoPlacedVolume.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRelievoVolumeExtinction.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>

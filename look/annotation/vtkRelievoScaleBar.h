@@ -7,8 +7,8 @@
  * Add it to a renderer like any prop (vtkRenderer::AddViewProp): a horizontal bar with its length
  * above it, drawn over the picture, without light or tone, and in no layer. It lays itself out in
  * each frame for the renderer's camera and size, also in tiles. The label ends with the unit of the
- * world's lengths. Bar and label have an edge of the other colour, black or white; the least size of
- * the label is 9 pixels, unless TextSize is set.
+ * world's lengths. Bar and label have an edge of the other colour, black or white; the least size
+ * of the label is 9 pixels, unless TextSize is set.
  *
  * In a parallel projection the bar is accurate everywhere, to half a pixel. In perspective near
  * objects look larger: the bar is accurate at Depth, across the view.

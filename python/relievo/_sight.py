@@ -413,7 +413,7 @@ def _sensor_of(thing, camera, size):
     if camera is None:
         renderer = inner_renderer(thing)
         if renderer is None:
-            raise ValueError("camera: got None, expected a camera, which only a renderer has itself")
+            raise ValueError("camera: got None, expected a camera; only a renderer has its own")
         camera = renderer.GetActiveCamera()
         size = tuple(renderer.GetSize()) if size is None else size
     return _sensor(camera, size)

@@ -73,15 +73,15 @@ class Filters(pv.PluginTest):
                 properties.Next()
 
     def test_descriptions(self):
-        """Properties have the names, texts and defaults of the classes and of their descriptions."""
+        """Properties have the names, texts and defaults of the described classes."""
         manager = servermanager.ProxyManager()
         compared = 0
         for name in [*FILTERS, "DepthToPoints", "ModelReader"]:
             group = "sources" if name in SOURCES else "filters"
             made = manager.GetPrototypeProxy(group, f"Relievo{name}")
             of_class = made.GetVTKClassName().replace("vtkPV", "vtk")  # some have a subclass
-            module = vtkRelievoFilters if hasattr(vtkRelievoFilters, of_class) else vtkRelievoAnimation
-            owner = getattr(module, of_class)()
+            modules = [vtkRelievoFilters, vtkRelievoAnimation]
+            owner = next(getattr(each, of_class) for each in modules if hasattr(each, of_class))()
             for i in range(getattr(owner, "GetNumberOfParameters", int)()):
                 parameter = owner.GetParameterName(i)
                 found = made.GetProperty(described.capitalize(parameter))

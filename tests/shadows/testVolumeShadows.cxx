@@ -37,9 +37,9 @@
 #include <vtkRelievoAntialiasStage.h>
 #include <vtkRelievoOpticalDepths.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoPlacedVolume.h>
 #include <vtkRelievoShadowCertificate.h>
 #include <vtkRelievoShadowStage.h>
-#include <vtkRelievoPlacedVolume.h>
 #include <vtkRelievoVolumeExtinction.h>
 #include <vtkRelievoVolumeShade.h>
 #include <vtkUnsignedCharArray.h>

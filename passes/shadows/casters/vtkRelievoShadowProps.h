@@ -7,10 +7,10 @@
 #define vtkRelievoShadowProps_h
 
 #include "vtkRelievoGlyphPlaces.h"
+#include "vtkRelievoPlacedVolume.h"
 #include "vtkRelievoPointGroups.h"
 #include "vtkRelievoShadowRegion.h"
 #include "vtkRelievoSplicedKeys.h"
-#include "vtkRelievoPlacedVolume.h"
 #include "vtkWeakPointer.h"
 
 #include <cstdint>
