@@ -444,6 +444,41 @@ public:
 
 vtkStandardNewMacro(FoundOpacity);
 
+// The points of an image with left-handed axes, in the opposite order along x: VTK culls the front
+// of such a volume.
+vtkSmartPointer<vtkImageData> WithRightHandedAxes(vtkImageData* image)
+{
+  vtkMatrix3x3* direction = image->GetDirectionMatrix();
+  if (direction->Determinant() >= 0.0)
+  {
+    return image;
+  }
+  auto made = vtkSmartPointer<vtkImageData>::New();
+  made->CopyStructure(image);
+  const int* extent = image->GetExtent();
+  double origin[3];
+  vtkNew<vtkMatrix3x3> turned;
+  turned->DeepCopy(direction);
+  for (int k = 0; k < 3; ++k)
+  {
+    const double axis = direction->GetElement(k, 0);
+    origin[k] = image->GetOrigin()[k] + axis * image->GetSpacing()[0] * (extent[0] + extent[1]);
+    turned->SetElement(k, 0, -axis);
+  }
+  made->SetOrigin(origin);
+  made->SetDirectionMatrix(turned);
+  const vtkIdType columns = image->GetDimensions()[0];
+  const vtkIdType points = image->GetNumberOfPoints();
+  made->GetPointData()->CopyAllOn();
+  made->GetPointData()->CopyAllocate(image->GetPointData(), points);
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    const vtkIdType column = i % columns;
+    made->GetPointData()->CopyData(image->GetPointData(), i - column + columns - 1 - column, i);
+  }
+  return made;
+}
+
 vtkSmartPointer<vtkPiecewiseFunction> MakeOpacity(vtkImageData* image)
 {
   double range[2];
@@ -517,7 +552,7 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
   const vtkSmartPointer<vtkPiecewiseFunction> opacity = MakeOpacity(image);
   auto volume = vtkSmartPointer<vtkVolume>::New();
   vtkNew<vtkGPUVolumeRayCastMapper> mapper;
-  mapper->SetInputData(image);
+  mapper->SetInputData(WithRightHandedAxes(image));
   // The default would adapt the sample distance to the time of earlier frames.
   mapper->AutoAdjustSampleDistancesOff();
   volume->SetMapper(mapper);

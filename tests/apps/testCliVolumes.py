@@ -29,12 +29,17 @@ def distances():
 
 
 class Volumes(CliTest):
-    def image(self, name, values, of_cells=False):
+    def image(self, name, values, of_cells=False, mirrored=None):
+        """Stored in the opposite order along the axis `mirrored`, with that direction."""
         image = vtkImageData()
         image.SetDimensions(*(n + of_cells for n in values.shape[::-1]))
         image.SetSpacing(*SPACING)
         if of_cells:
             image.SetOrigin(*(-0.5 * step for step in SPACING))
+        if mirrored is not None:
+            image.GetDirectionMatrix().SetElement(mirrored, mirrored, -1)
+            image.SetOrigin(*(2 * MIDDLE * (numpy.arange(3) == mirrored)))
+            values = numpy.flip(values, 2 - mirrored)
         array = numpy_to_vtk(values.ravel(), deep=True)
         array.SetName("values")
         (image.GetCellData() if of_cells else image.GetPointData()).SetScalars(array)
@@ -65,6 +70,23 @@ class Volumes(CliTest):
         place = numpy.stack([across, down, along], axis=-1)
         return numpy.linalg.norm(place / SPACING, axis=-1), *(
             found[name + ".V"][shown] for name in layers)  # fmt: skip
+
+    def test_left_handed_axes(self):
+        """A volume looks the same however it is stored, but for VTK's shading of turned images."""
+        z, y, x = numpy.mgrid[0:SIDE, 0:SIDE, 0:SIDE]
+        values = numpy.exp(-((x - 12) ** 2 + (y - 16) ** 2 + (z - 24) ** 2) / 60)
+
+        def drawn(*words, **of):
+            words = ("a.vti", "--image", "volume", *ALONG_Z, *words)
+            return self.picture(*words, environment=None, **of)
+
+        self.image("a.vti", values)
+        plain = drawn()
+        empty = drawn("--opacity-curve", "0/0,1/0", says="shows only the background")
+        self.assertGreater((numpy.abs(plain - empty).max(axis=-1) > 20).sum(), 200)
+        for axis, limit in ((0, 0), (2, 20)):
+            self.image("a.vti", values, mirrored=axis)
+            self.assertLessEqual(numpy.abs(drawn() - plain).max(), limit, axis)
 
     def test_labels(self):
         """Two halves of a ball, with no gap between them, each in a colour of its own."""
