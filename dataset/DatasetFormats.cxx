@@ -22,7 +22,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace scene
+namespace dataset
 {
 namespace
 {

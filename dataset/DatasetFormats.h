@@ -6,6 +6,8 @@
 #ifndef DatasetFormats_h
 #define DatasetFormats_h
 
+#include "DatasetNames.h"
+
 #include <nlohmann/json.hpp>
 
 #include <functional>
@@ -18,7 +20,7 @@
 class vtkRelievoCameraModel;
 class vtkRenderer;
 
-namespace scene
+namespace dataset
 {
 class DatasetFormat;
 class DatasetObjects;

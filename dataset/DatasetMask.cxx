@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace scene
+namespace dataset
 {
 //------------------------------------------------------------------------------
 void DatasetMask::Add(std::size_t pixel)

@@ -6,13 +6,15 @@
 #ifndef DatasetMask_h
 #define DatasetMask_h
 
+#include "DatasetNames.h"
+
 #include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace scene
+namespace dataset
 {
 class DatasetMask
 {

@@ -23,7 +23,7 @@
 #include <map>
 #include <vector>
 
-namespace scene
+namespace dataset
 {
 namespace
 {

@@ -6,9 +6,11 @@
 #ifndef DatasetModels_h
 #define DatasetModels_h
 
+#include "DatasetNames.h"
+
 class vtkRenderer;
 
-namespace scene
+namespace dataset
 {
 class DatasetObjects;
 struct DatasetStyle;

@@ -30,7 +30,7 @@
 #include <set>
 #include <string>
 
-namespace scene
+namespace dataset
 {
 namespace
 {

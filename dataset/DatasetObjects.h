@@ -7,6 +7,7 @@
 #ifndef DatasetObjects_h
 #define DatasetObjects_h
 
+#include "DatasetNames.h"
 #include "vtkBoundingBox.h"
 #include "vtkMatrix4x4.h"
 #include "vtkSmartPointer.h"
@@ -23,7 +24,7 @@ class vtkDataObject;
 class vtkProp;
 class vtkRenderer;
 
-namespace scene
+namespace dataset
 {
 struct DatasetObject
 {

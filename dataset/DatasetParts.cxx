@@ -12,7 +12,7 @@
 
 namespace fs = std::filesystem;
 
-namespace scene
+namespace dataset
 {
 namespace
 {

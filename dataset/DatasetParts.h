@@ -7,12 +7,13 @@
 #define DatasetParts_h
 
 #include "DatasetFormats.h"
+#include "DatasetNames.h"
 #include "WorkFolder.h"
 
 #include <string>
 #include <vector>
 
-namespace scene
+namespace dataset
 {
 /// The file of a data set's settings.
 constexpr const char* DatasetSettings = "dataset.json";

@@ -20,7 +20,7 @@
 #include <functional>
 #include <limits>
 
-namespace scene
+namespace dataset
 {
 namespace
 {

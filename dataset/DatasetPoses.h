@@ -6,6 +6,7 @@
 #ifndef DatasetPoses_h
 #define DatasetPoses_h
 
+#include "DatasetNames.h"
 #include "vtkBoundingBox.h"
 #include "vtkRelievoCameraModel.h"
 #include "vtkSmartPointer.h"
@@ -15,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace scene
+namespace dataset
 {
 /// A random generator with equal sequences on every machine (G. Steele, D. Lea, C. Flood, Fast
 /// splittable pseudorandom number generators, 2014).

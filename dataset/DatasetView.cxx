@@ -30,7 +30,7 @@
 #include <numeric>
 #include <utility>
 
-namespace scene
+namespace dataset
 {
 namespace
 {

@@ -7,6 +7,7 @@
 #define DatasetView_h
 
 #include "DatasetMask.h"
+#include "DatasetNames.h"
 #include "DatasetObjects.h"
 
 #include "vtkCamera.h"
@@ -28,7 +29,7 @@ class vtkRelievoCameraModel;
 class vtkRelievoLensCamera;
 class vtkRenderer;
 
-namespace scene
+namespace dataset
 {
 /// The size of an object's silhouette, which may extend beyond the picture by up to its size.
 struct DatasetSilhouette

@@ -29,9 +29,9 @@
 
 vtkStandardNewMacro(vtkRelievoDatasetWriter);
 
-static_assert(static_cast<int>(vtkRelievoScene::USAGE_FAILURE) == scene::Outcome::Usage &&
-    static_cast<int>(vtkRelievoScene::FILE_FAILURE) == scene::Outcome::File &&
-    static_cast<int>(vtkRelievoScene::DRAW_FAILURE) == scene::Outcome::Draw,
+static_assert(static_cast<int>(vtkRelievoScene::USAGE_FAILURE) == reading::Outcome::Usage &&
+    static_cast<int>(vtkRelievoScene::FILE_FAILURE) == reading::Outcome::File &&
+    static_cast<int>(vtkRelievoScene::DRAW_FAILURE) == reading::Outcome::Draw,
   "one word for a failure");
 
 namespace fs = std::filesystem;
@@ -77,7 +77,7 @@ struct vtkRelievoDatasetWriter::Internals
 
   std::string GetRecord(std::size_t view) const
   {
-    return scene::GetDatasetRecord(this->Directory, view);
+    return dataset::GetDatasetRecord(this->Directory, view);
   }
 
   // Complete views.
@@ -94,12 +94,13 @@ struct vtkRelievoDatasetWriter::Internals
     return views;
   }
 
-  Json ReadRecord(const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const;
+  Json ReadRecord(const dataset::DatasetStyle& style, std::size_t view, std::size_t objects) const;
 
-  void Check(const scene::DatasetFormat& format) const;
+  void Check(const dataset::DatasetFormat& format) const;
   void CheckIsPinhole() const;
-  double GetDepthStep(const scene::DatasetObjects& objects) const;
-  void WriteIndex(const scene::DatasetStyle& style, const std::vector<std::string>& objects) const;
+  double GetDepthStep(const dataset::DatasetObjects& objects) const;
+  void WriteIndex(
+    const dataset::DatasetStyle& style, const std::vector<std::string>& objects) const;
 };
 
 //------------------------------------------------------------------------------
@@ -110,7 +111,7 @@ vtkRelievoDatasetWriter::vtkRelievoDatasetWriter()
   constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
   vtkRelievoParameterList& list = this->Parameters;
   std::vector<std::string> names;
-  for (const auto& format : scene::GetDatasetFormats())
+  for (const auto& format : dataset::GetDatasetFormats())
   {
     names.push_back(format->Name);
   }
@@ -145,7 +146,8 @@ vtkRelievoDatasetWriter::~vtkRelievoDatasetWriter() = default;
 //------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::SetFormat(int format)
 {
-  const int known = std::clamp(format, 0, static_cast<int>(scene::GetDatasetFormats().size()) - 1);
+  const int known =
+    std::clamp(format, 0, static_cast<int>(dataset::GetDatasetFormats().size()) - 1);
   if (this->Format != known)
   {
     this->Format = known;
@@ -157,18 +159,18 @@ void vtkRelievoDatasetWriter::SetFormat(int format)
 bool vtkRelievoDatasetWriter::Try(const std::function<void()>& work)
 {
   this->Abort = false;
-  const scene::Outcome outcome = scene::Try(work);
+  const reading::Outcome outcome = reading::Try(work);
   this->Failure = outcome.Kind;
   this->FailureText = outcome.Text;
-  for (const std::string& warning : scene::Messages::TakeWarnings())
+  for (const std::string& warning : reading::Messages::TakeWarnings())
   {
     vtkWarningMacro(<< warning);
   }
-  if (this->Failure != scene::Outcome::Done)
+  if (this->Failure != reading::Outcome::Done)
   {
     vtkErrorMacro(<< this->FailureText);
   }
-  return this->Failure == scene::Outcome::Done;
+  return this->Failure == reading::Outcome::Done;
 }
 
 //------------------------------------------------------------------------------
@@ -217,16 +219,16 @@ bool vtkRelievoDatasetWriter::AddViews(RELIEVO_TEXT words, vtkRelievoCameraModel
   return this->Try([this, &words, like] {
     if (!like)
     {
-      throw scene::UsageError("poses: there is no camera that has their size and intrinsics");
+      throw words::UsageError("poses: there is no camera that has their size and intrinsics");
     }
-    scene::DatasetSurroundings around = { {}, this->UpAxis, this->Seed };
+    dataset::DatasetSurroundings around = { {}, this->UpAxis, this->Seed };
     if (this->Internal->Renderer)
     {
-      const scene::DatasetObjects objects(
+      const dataset::DatasetObjects objects(
         this->Internal->Renderer, this->Internal->Names, this->ObjectsByBlock);
       around.Box = objects.GetBounds();
     }
-    const auto made = scene::MakeDatasetPoses("poses", words, like, around);
+    const auto made = dataset::MakeDatasetPoses("poses", words, like, around);
     this->Internal->Cameras.insert(this->Internal->Cameras.end(), made.begin(), made.end());
     this->Modified();
   });
@@ -290,25 +292,25 @@ std::string vtkRelievoDatasetWriter::GetDescription()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoDatasetWriter::Internals::Check(const scene::DatasetFormat& format) const
+void vtkRelievoDatasetWriter::Internals::Check(const dataset::DatasetFormat& format) const
 {
   if (!this->Renderer)
   {
-    throw scene::UsageError("there is no renderer; give one by SetRenderer");
+    throw words::UsageError("there is no renderer; give one by SetRenderer");
   }
   if (this->Directory.empty())
   {
-    throw scene::UsageError("there is no folder to write to; give one by SetDirectory");
+    throw words::UsageError("there is no folder to write to; give one by SetDirectory");
   }
   if (this->Cameras.empty())
   {
-    throw scene::UsageError("there are no views; give some by AddView or AddViews");
+    throw words::UsageError("there are no views; give some by AddView or AddViews");
   }
   double viewport[4];
   this->Renderer->GetViewport(viewport);
   if (viewport[0] != 0.0 || viewport[1] != 0.0 || viewport[2] != 1.0 || viewport[3] != 1.0)
   {
-    throw scene::UsageError(
+    throw words::UsageError(
       "the renderer's viewport is a part of its window; give one that fills it");
   }
   for (const std::string& layer : this->Layers)
@@ -320,12 +322,12 @@ void vtkRelievoDatasetWriter::Internals::Check(const scene::DatasetFormat& forma
   for (std::size_t i = 0; i < this->Cameras.size(); ++i)
   {
     const std::string view = "view " + std::to_string(i);
-    scene::CheckDatasetCamera(format, this->Cameras[i], this->Cameras[0], view);
+    dataset::CheckDatasetCamera(format, this->Cameras[i], this->Cameras[0], view);
     // Flow goes to the previous view; the first view has none and uses itself.
     const bool isGoal = i == 0 || i + 1 < this->Cameras.size();
     if (flow != this->Layers.end() && isGoal && !this->Cameras[i]->HasPlaces())
     {
-      throw scene::UsageError(view + ": layer " + *flow +
+      throw words::UsageError(view + ": layer " + *flow +
         " refers to places in a picture, which a lidar does not have between its beams; "
         "expected another sensor, or layers without flow");
     }
@@ -340,7 +342,7 @@ void vtkRelievoDatasetWriter::Internals::CheckIsPinhole() const
     auto* lens = vtkRelievoLensCamera::SafeDownCast(this->Cameras[i]);
     if (!lens || lens->GetLens() != vtkRelievoLensCamera::PINHOLE)
     {
-      throw scene::UsageError("view " + std::to_string(i) +
+      throw words::UsageError("view " + std::to_string(i) +
         ": volumes that are solid need pinhole cameras: a lens and other sensors trace rays, which "
         "volumes are not in; switch solid of the stage volumes off");
     }
@@ -348,29 +350,30 @@ void vtkRelievoDatasetWriter::Internals::CheckIsPinhole() const
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoDatasetWriter::Internals::GetDepthStep(const scene::DatasetObjects& objects) const
+double vtkRelievoDatasetWriter::Internals::GetDepthStep(
+  const dataset::DatasetObjects& objects) const
 {
   const vtkBoundingBox box = objects.GetOpaqueBounds();
   const double farthest = box.IsValid() ? FindFarthest(this->Cameras, box) : 0.0;
-  return farthest > 0.0 ? farthest / scene::MostDepthSteps : 1.0; // without depth
+  return farthest > 0.0 ? farthest / dataset::MostDepthSteps : 1.0; // without depth
 }
 
 //------------------------------------------------------------------------------
 // Throws FileError for a damaged record, UsageError for one of another camera.
 Json vtkRelievoDatasetWriter::Internals::ReadRecord(
-  const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const
+  const dataset::DatasetStyle& style, std::size_t view, std::size_t objects) const
 {
   const std::string path = this->GetRecord(view);
-  Json record = scene::ReadWorkJson(path);
-  if (!scene::IsDatasetRecord(*style.Format, record, objects) || record["view"] != view)
+  Json record = dataset::ReadWorkJson(path);
+  if (!dataset::IsDatasetRecord(*style.Format, record, objects) || record["view"] != view)
   {
-    throw scene::FileError(path + ": is no record of view " + std::to_string(view) +
+    throw words::FileError(path + ": is no record of view " + std::to_string(view) +
       "; remove it, and the same call draws the view again");
   }
-  const Json camera = scene::DescribeDatasetCamera(this->Cameras[view]);
-  if (record["camera"] != Json::parse(scene::WriteDatasetJson(camera)))
+  const Json camera = dataset::DescribeDatasetCamera(this->Cameras[view]);
+  if (record["camera"] != Json::parse(dataset::WriteDatasetJson(camera)))
   {
-    throw scene::UsageError(this->Directory + ": view " + std::to_string(view) +
+    throw words::UsageError(this->Directory + ": view " + std::to_string(view) +
       " was written from another camera; give another folder, or the poses of before");
   }
   return record;
@@ -379,7 +382,7 @@ Json vtkRelievoDatasetWriter::Internals::ReadRecord(
 //------------------------------------------------------------------------------
 // The process that ends last must index all views, so look again for views added meanwhile.
 void vtkRelievoDatasetWriter::Internals::WriteIndex(
-  const scene::DatasetStyle& style, const std::vector<std::string>& objects) const
+  const dataset::DatasetStyle& style, const std::vector<std::string>& objects) const
 {
   std::vector<std::size_t> views = this->FindRecords();
   std::vector<std::size_t> written;
@@ -390,7 +393,7 @@ void vtkRelievoDatasetWriter::Internals::WriteIndex(
     {
       records.push_back(this->ReadRecord(style, view, objects.size()));
     }
-    scene::WriteDatasetIndex(style, objects, records);
+    dataset::WriteDatasetIndex(style, objects, records);
     written = views;
     views = this->FindRecords();
   }
@@ -422,7 +425,7 @@ void vtkRelievoDatasetWriter::SetPart(int part, int parts)
 bool vtkRelievoDatasetWriter::Merge(RELIEVO_TEXT directory)
 {
   const std::string folder = directory;
-  return this->Try([&folder] { scene::MergeDataset(folder); });
+  return this->Try([&folder] { dataset::MergeDataset(folder); });
 }
 
 //------------------------------------------------------------------------------
@@ -432,7 +435,7 @@ int vtkRelievoDatasetWriter::Verify(RELIEVO_TEXT directory)
   const std::string folder = directory;
   bool isWhole = false;
   const bool done = this->Try([&] {
-    const scene::WorkState state = scene::VerifyDataset(folder, scene::WorkCheck::Files);
+    const dataset::WorkState state = dataset::VerifyDataset(folder, dataset::WorkCheck::Files);
     this->Verdict = state.GetText(folder);
     isWhole = state.IsWhole();
   });
@@ -443,46 +446,46 @@ int vtkRelievoDatasetWriter::Verify(RELIEVO_TEXT directory)
 void vtkRelievoDatasetWriter::WriteViews()
 {
   Internals& self = *this->Internal;
-  const scene::DatasetFormat& format =
-    *scene::GetDatasetFormats()[static_cast<std::size_t>(this->Format)];
+  const dataset::DatasetFormat& format =
+    *dataset::GetDatasetFormats()[static_cast<std::size_t>(this->Format)];
   self.Check(format);
   const int views = this->GetNumberOfViews();
-  const scene::WorkPart part{ this->Part, this->NumberOfParts };
+  const dataset::WorkPart part{ this->Part, this->NumberOfParts };
   const bool isPart = part.Count > 1;
   int begin = this->Range[0];
   int end = this->Range[1] < 0 ? views : this->Range[1];
   const std::string range = "views: got " + std::to_string(begin) + ":" + std::to_string(end);
   if (isPart && (begin > 0 || end < views))
   {
-    throw scene::UsageError(
+    throw words::UsageError(
       range + " and " + part.GetText() + "; expected a range of views or a part of all of them");
   }
   if (begin >= end)
   {
-    throw scene::UsageError(range + ", expected the first view to be before the end");
+    throw words::UsageError(range + ", expected the first view to be before the end");
   }
   if (begin < 0 || end > views)
   {
-    throw scene::UsageError(range + ", expected views from 0 to " + std::to_string(views) +
+    throw words::UsageError(range + ", expected views from 0 to " + std::to_string(views) +
       ": there are " + std::to_string(views));
   }
-  const scene::DatasetObjects objects(self.Renderer, self.Names, this->ObjectsByBlock);
+  const dataset::DatasetObjects objects(self.Renderer, self.Names, this->ObjectsByBlock);
   if (objects.HasVolumes())
   {
     self.CheckIsPinhole();
   }
   std::vector<std::string> names;
-  for (const scene::DatasetObject& object : objects.Get())
+  for (const dataset::DatasetObject& object : objects.Get())
   {
     names.push_back(object.Name);
   }
-  scene::DatasetStyle style;
+  dataset::DatasetStyle style;
   style.Folder = self.Directory;
   style.Format = &format;
   style.DepthStep = this->DepthStep > 0.0 ? this->DepthStep : self.GetDepthStep(objects);
   style.MillimetersPerUnit = this->MillimetersPerUnit;
   style.Layers = self.Layers;
-  const std::string settings = scene::OpenWorkFolder(self.Directory, scene::DatasetSettings,
+  const std::string settings = dataset::OpenWorkFolder(self.Directory, dataset::DatasetSettings,
     { { "version", RELIEVO_VERSION }, { "format", format.Name }, { "views", views },
       { "objects", names }, { "layers", self.Layers }, { "depth_step", style.DepthStep },
       { "mm_per_unit", this->MillimetersPerUnit }, { "random_sun", this->RandomSun },
@@ -494,8 +497,8 @@ void vtkRelievoDatasetWriter::WriteViews()
     begin = static_cast<int>(share[0]);
     end = static_cast<int>(share[1]);
   }
-  scene::PartProgress progress(self.Directory, part, "views");
-  scene::DatasetPainter painter(self.Renderer, objects, self.Layers, format.NeedsSilhouettes);
+  dataset::PartProgress progress(self.Directory, part, "views");
+  dataset::DatasetPainter painter(self.Renderer, objects, self.Layers, format.NeedsSilhouettes);
   std::size_t beyond = 0;
   for (int i = begin; i < end; ++i)
   {
@@ -508,22 +511,22 @@ void vtkRelievoDatasetWriter::WriteViews()
       before = self.ReadRecord(style, number, names.size());
     }
     if (!before.is_null() && before.value("settings", Json()) == settings &&
-      scene::FindDamage(self.Directory, before).empty())
+      dataset::FindDamage(self.Directory, before).empty())
     {
       ++this->NumberOfViewsKept;
     }
     else
     {
-      Json record = { { "view", i }, { "camera", scene::DescribeDatasetCamera(camera) } };
+      Json record = { { "view", i }, { "camera", dataset::DescribeDatasetCamera(camera) } };
       std::optional<std::array<double, 3>> sun;
       if (this->RandomSun)
       {
-        sun = scene::MakeDatasetSun(this->Seed, i, this->UpAxis);
+        sun = dataset::MakeDatasetSun(this->Seed, i, this->UpAxis);
         record["sun"] = *sun;
       }
-      const scene::DatasetView view =
+      const dataset::DatasetView view =
         painter.Draw(camera, i > 0 ? self.Cameras[number - 1].GetPointer() : nullptr, sun);
-      beyond += scene::WriteDatasetView(style, view, objects, camera, number, record);
+      beyond += dataset::WriteDatasetView(style, view, objects, camera, number, record);
       if (i == 0)
       {
         format.WriteModels(style, self.Renderer, objects); // their hashes are in the first record
@@ -531,8 +534,8 @@ void vtkRelievoDatasetWriter::WriteViews()
       record["version"] = RELIEVO_VERSION;
       record["settings"] = settings;
       record["files"] = style.Hashes;
-      scene::CheckSettings(self.Directory, scene::DatasetSettings, settings);
-      scene::WriteWhole(path, scene::WriteDatasetJson(record));
+      dataset::CheckSettings(self.Directory, dataset::DatasetSettings, settings);
+      dataset::WriteWhole(path, dataset::WriteDatasetJson(record));
       ++this->NumberOfViewsWritten;
     }
     style.Hashes.clear();
@@ -544,7 +547,7 @@ void vtkRelievoDatasetWriter::WriteViews()
     this->InvokeEvent(vtkCommand::ProgressEvent, &share);
     if (this->Abort)
     {
-      throw scene::WorkError(self.Directory + ": stopped after view " + std::to_string(i) +
+      throw words::WorkError(self.Directory + ": stopped after view " + std::to_string(i) +
         "; the same call goes on from there");
     }
   }
@@ -554,7 +557,7 @@ void vtkRelievoDatasetWriter::WriteViews()
   }
   if (beyond > 0)
   {
-    scene::Messages::Warn(self.Directory + ": " + std::to_string(beyond) +
+    reading::Messages::Warn(self.Directory + ": " + std::to_string(beyond) +
       " pixels are farther than 65535 steps of depth, or behind the camera's plane, and "
       "are 0; a larger depth step covers the former");
   }
@@ -567,7 +570,7 @@ void vtkRelievoDatasetWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Renderer: " << this->Internal->Renderer << "\n";
   os << indent << "Directory: " << this->Internal->Directory << "\n";
   os << indent << "Views: " << this->Internal->Cameras.size() << "\n";
-  os << indent << "Layers: " << scene::Join(this->Internal->Layers, ", ") << "\n";
+  os << indent << "Layers: " << words::Join(this->Internal->Layers, ", ") << "\n";
   os << indent << "ObjectsByBlock: " << this->ObjectsByBlock << "\n";
   this->Parameters.Print(os, indent);
   os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";

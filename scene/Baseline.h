@@ -6,6 +6,7 @@
 #ifndef Baseline_h
 #define Baseline_h
 
+#include "SceneNames.h"
 #include "Settings.h"
 
 #include "vtkImageData.h"

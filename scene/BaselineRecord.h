@@ -6,6 +6,8 @@
 #ifndef BaselineRecord_h
 #define BaselineRecord_h
 
+#include "SceneNames.h"
+
 #include <map>
 #include <set>
 #include <string>

@@ -10,6 +10,7 @@
 #include "Frame.h"
 #include "Options.h"
 #include "Scene.h"
+#include "SceneNames.h"
 #include "Settings.h"
 
 #include "vtkActor.h"
@@ -24,9 +25,13 @@
 
 class vtkRelievoPass;
 
-namespace scene
+namespace reading
 {
 class Progress;
+}
+
+namespace scene
+{
 
 ///@{
 /// The settings that a reader depends on: when this key changes, files are read again. The scene's

@@ -7,6 +7,7 @@
 #define FrameList_h
 
 #include "CameraOptions.h"
+#include "SceneNames.h"
 
 #include <optional>
 #include <vector>

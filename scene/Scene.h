@@ -9,6 +9,7 @@
 #include "Actors.h"
 #include "Grid.h"
 #include "Models.h"
+#include "SceneNames.h"
 
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -19,10 +20,14 @@
 #include <string>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 class Progress;
 class ReadContext;
+}
+
+namespace scene
+{
 struct RenderOptions;
 
 struct Scene
@@ -30,7 +35,7 @@ struct Scene
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<PosedModel> Models;
   vtkSmartPointer<vtkActor> Ground;                       ///< null: none
-  vtkSmartPointer<scene::Grid> Grid;                      ///< null: none
+  vtkSmartPointer<look::Grid> Grid;                       ///< null: none
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; ///< of the visible props but the ground
   bool HasLights = false;                                 ///< whether the files have lights
   int UpAxis = 1;          ///< by the first file: 0, 1, 2 for x, y, z

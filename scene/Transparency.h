@@ -8,6 +8,7 @@
 #ifndef Transparency_h
 #define Transparency_h
 
+#include "SceneNames.h"
 #include "vtkSmartPointer.h"
 
 class vtkImageData;

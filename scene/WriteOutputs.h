@@ -7,16 +7,21 @@
 #define WriteOutputs_h
 
 #include "Outputs.h"
+#include "SceneNames.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
+namespace reading
+{
+class Progress;
+}
+
 namespace scene
 {
 class Bands;
 class DressedScene;
-class Progress;
 class Settings;
 struct RenderOptions;
 

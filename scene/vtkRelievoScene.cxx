@@ -35,7 +35,7 @@
 
 vtkStandardNewMacro(vtkRelievoScene);
 
-struct vtkRelievoScene::Internals : public scene::ProgressListener
+struct vtkRelievoScene::Internals : public reading::ProgressListener
 {
   explicit Internals(vtkRelievoScene* owner)
     : Owner(owner)
@@ -50,8 +50,8 @@ struct vtkRelievoScene::Internals : public scene::ProgressListener
   bool IsStopped() override { return this->Owner->Abort; }
 
   void MakeWindow();
-  void Read(scene::Progress& progress);
-  void Update(scene::Progress& progress, int bandRows = 0);
+  void Read(reading::Progress& progress);
+  void Update(reading::Progress& progress, int bandRows = 0);
   void EndBands();
   scene::Bands GetBands() const
   {
@@ -84,9 +84,9 @@ auto OnFiles(Work work)
   {
     return work();
   }
-  catch (const scene::WorkError& error)
+  catch (const words::WorkError& error)
   {
-    throw scene::FileError(error.what());
+    throw words::FileError(error.what());
   }
 }
 
@@ -116,7 +116,7 @@ vtkRelievoScene::~vtkRelievoScene()
 bool vtkRelievoScene::Try(const std::function<void()>& work)
 {
   this->Abort = false;
-  const scene::Outcome outcome = scene::Try(work);
+  const reading::Outcome outcome = reading::Try(work);
   this->Failure = outcome.Kind;
   this->FailureText = outcome.Text;
   const auto keep = [](const std::vector<std::string>& texts, vtkStringArray* list) {
@@ -126,8 +126,8 @@ bool vtkRelievoScene::Try(const std::function<void()>& work)
       list->InsertNextValue(text);
     }
   };
-  keep(scene::Messages::TakeNotes(), this->Internal->Notes);
-  keep(scene::Messages::TakeWarnings(), this->Internal->Warnings);
+  keep(reading::Messages::TakeNotes(), this->Internal->Notes);
+  keep(reading::Messages::TakeWarnings(), this->Internal->Warnings);
   if (this->Failure != NO_FAILURE)
   {
     vtkErrorMacro(<< this->FailureText);
@@ -235,7 +235,7 @@ void vtkRelievoScene::Internals::MakeWindow()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoScene::Internals::Read(scene::Progress& progress)
+void vtkRelievoScene::Internals::Read(reading::Progress& progress)
 {
   // A layer of the strongest bones needs its array to be read, too.
   const std::string key =
@@ -246,13 +246,13 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
   }
   // Starting OpenGL takes about as long as reading a mesh. Errors in files are reported first.
   this->NoWindow = nullptr;
-  scene::ReadContext context(progress, this->Options.AllowedFolders);
+  reading::ReadContext context(progress, this->Options.AllowedFolders);
   context.SetMeanwhile([this] {
     try
     {
       this->MakeWindow();
     }
-    catch (const scene::WorkError&)
+    catch (const words::WorkError&)
     {
       this->NoWindow = std::current_exception();
     }
@@ -272,11 +272,11 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoScene::Internals::Update(scene::Progress& progress, int bandRows)
+void vtkRelievoScene::Internals::Update(reading::Progress& progress, int bandRows)
 {
   if (this->Options.Files.empty())
   {
-    throw scene::UsageError("there is no file to show: give one among the words");
+    throw words::UsageError("there is no file to show: give one among the words");
   }
   this->BandRows = bandRows;
   this->Read(progress);
@@ -334,7 +334,7 @@ bool vtkRelievoScene::Update()
 {
   return this->Try([this] {
     OnFiles([this] { return scene::CheckInputs(this->Internal->Options); });
-    scene::Progress progress(this->Internal.get());
+    reading::Progress progress(this->Internal.get());
     this->Internal->Update(progress);
   });
 }
@@ -349,13 +349,13 @@ bool vtkRelievoScene::Write()
     scene::CheckOutputs(options);
     this->Internal->Options = scene::FollowProgram(options);
     std::vector<std::string> inputs = OnFiles([&options] { return scene::CheckInputs(options); });
-    std::unique_ptr<scene::Outputs> outputs =
+    std::unique_ptr<reading::Outputs> outputs =
       OnFiles([&] { return scene::OpenOutputs(options, inputs); });
     if (!options.Lens.empty())
     {
       this->Internal->Options = OnFiles([&options] { return scene::FollowLens(options); });
     }
-    scene::Progress progress(this->Internal.get());
+    reading::Progress progress(this->Internal.get());
     const struct Afterwards
     {
       Internals& In;
@@ -381,7 +381,7 @@ bool vtkRelievoScene::CaptureBaseline(vtkImageData* image, bool portable)
   image->Initialize();
   return this->Try([this, image, portable] {
     OnFiles([this] { return scene::CheckInputs(this->Internal->Options); });
-    scene::Progress progress(this->Internal.get());
+    reading::Progress progress(this->Internal.get());
     this->Internal->Update(progress);
     progress.Begin("drawing the baseline");
     image->ShallowCopy(scene::MakeBaseline(

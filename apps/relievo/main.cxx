@@ -34,7 +34,7 @@ int Run(std::vector<std::string> words)
   }
   if (words.empty())
   {
-    throw scene::UsageError(
+    throw words::UsageError(
       "no command given, expected " + vtkRelievoEither(names) + "; see relievo --help");
   }
   const std::string name = words.front();
@@ -46,7 +46,7 @@ int Run(std::vector<std::string> words)
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
   {
-    throw scene::UsageError("got '" + name + "', expected " + scene::Join(names, ", ") +
+    throw words::UsageError("got '" + name + "', expected " + words::Join(names, ", ") +
       ", --help or --version; see relievo --help");
   }
   words.erase(words.begin());
@@ -55,25 +55,25 @@ int Run(std::vector<std::string> words)
 
 int Fail(const char* text, int status)
 {
-  std::fprintf(scene::StandardError(), "relievo: %s\n", text);
+  std::fprintf(reading::StandardError(), "relievo: %s\n", text);
   return status;
 }
 }
 
 int main(int argc, char* argv[])
 {
-  scene::BeProgram();
-  scene::Outputs::RemoveAtEnd();
+  reading::BeProgram();
+  reading::Outputs::RemoveAtEnd();
   try
   {
     const int status = Run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
-    if (!scene::FlushStandardOutput())
+    if (!reading::FlushStandardOutput())
     {
-      throw scene::WorkError("the standard output cannot be written; is the disk full?");
+      throw words::WorkError("the standard output cannot be written; is the disk full?");
     }
     return status;
   }
-  catch (const scene::UsageError& error)
+  catch (const words::UsageError& error)
   {
     return Fail(error.what(), 2);
   }

@@ -48,12 +48,12 @@ bool Has(const std::vector<std::string>& words, const char* word)
 int Print(const char* text)
 {
   std::fputs(text, stdout);
-  if (scene::FlushStandardOutput())
+  if (reading::FlushStandardOutput())
   {
     return 0;
   }
   std::fputs("relievo-viewer: the standard output cannot be written; is the disk full?\n",
-    scene::StandardError());
+    reading::StandardError());
   return 1;
 }
 
@@ -69,7 +69,7 @@ void End(int status)
 void EndWithoutOpenGL()
 {
   std::fputs("relievo-viewer: nothing can be drawn: this display has no OpenGL 3.2\n",
-    scene::StandardError());
+    reading::StandardError());
   End(1);
 }
 
@@ -89,7 +89,7 @@ void OnMessage(QtMsgType type, const QMessageLogContext& context, const QString&
   }
   else if (type == QtFatalMsg)
   {
-    std::fprintf(scene::StandardError(),
+    std::fprintf(reading::StandardError(),
       "relievo-viewer: no window can be opened: %s; start it on a machine with a screen, "
       "or under xvfb-run, or use relievo render\n",
       reason.toUtf8().constData());
@@ -103,7 +103,7 @@ void EndAfterPicture(viewer::MainWindow& window, const std::string& session)
 {
   if (window.GetTrouble().isEmpty() && window.GetDocument()->Get().Files.empty())
   {
-    std::fprintf(scene::StandardError(),
+    std::fprintf(reading::StandardError(),
       "relievo-viewer: --once: %s: its \"words\" name no FILE; there is nothing to draw\n",
       session.c_str());
     End(1);
@@ -124,7 +124,7 @@ void EndAfterPicture(viewer::MainWindow& window, const std::string& session)
     if (view->GetPicture().IsEmpty() && !window.GetTrouble().isEmpty())
     {
       std::fprintf(
-        scene::StandardError(), "relievo-viewer: %s\n", window.GetTrouble().toUtf8().constData());
+        reading::StandardError(), "relievo-viewer: %s\n", window.GetTrouble().toUtf8().constData());
       End(1);
     }
   };
@@ -135,7 +135,7 @@ void EndAfterPicture(viewer::MainWindow& window, const std::string& session)
 
 int main(int argc, char* argv[])
 {
-  scene::BeProgram();
+  reading::BeProgram();
   std::vector<std::string> words(argv + 1, argv + argc);
   if (Has(words, "--help") || Has(words, "-h"))
   {
@@ -150,20 +150,20 @@ int main(int argc, char* argv[])
   words.erase(timed, words.end());
   const bool isSession =
     words.size() == 1 && QFileInfo(QString::fromStdString(words[0])).suffix().toLower() == "json";
-  const scene::Messages::Scope scope; // collects notes on the words too
+  const reading::Messages::Scope scope; // collects notes on the words too
   scene::Settings settings;
   try
   {
     settings = isSession ? settings : viewer::Document::FromWords(words);
     if (once && !isSession && settings.Files.empty())
     {
-      throw scene::UsageError("--once: no FILE given; there is nothing to draw");
+      throw words::UsageError("--once: no FILE given; there is nothing to draw");
     }
     settings.MakePathsAbsolute(QDir::currentPath().toStdString());
   }
-  catch (const scene::UsageError& error)
+  catch (const words::UsageError& error)
   {
-    std::fprintf(scene::StandardError(), "relievo-viewer: %s\n", error.what());
+    std::fprintf(reading::StandardError(), "relievo-viewer: %s\n", error.what());
     return 2;
   }
 
@@ -175,7 +175,7 @@ int main(int argc, char* argv[])
   const QtMessageHandler before = qInstallMessageHandler(OnMessage);
   viewer::Application application(ours, argv);
   QtsOwn = before;
-  scene::Outputs::RemoveAtEnd();
+  reading::Outputs::RemoveAtEnd();
   viewer::MainWindow window;
   window.RestoreLayout();
   QObject::connect(window.GetView(), &viewer::PictureView::openGLTooOld, qApp, EndWithoutOpenGL);

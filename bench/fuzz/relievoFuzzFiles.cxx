@@ -43,7 +43,7 @@ vtkSmartPointer<vtkRenderWindow> Reuse(
   {
     scene::CheckSize(window, options.Size, options.Size);
   }
-  catch (const scene::WorkError&)
+  catch (const words::WorkError&)
   {
     return nullptr;
   }
@@ -90,9 +90,9 @@ nlohmann::json Render(const nlohmann::json& words, vtkSmartPointer<vtkRenderWind
   scene->SetRenderWindow(nullptr);
   try
   {
-    scene::Messages::Check("");
+    reading::Messages::Check("");
   }
-  catch (const scene::WorkError&) // the failure, which is also an error event
+  catch (const words::WorkError&) // the failure, which is also an error event
   {
   }
   return { { "status", status }, { "say", lines }, { "certificate", scene->GetCertificate() } };
@@ -101,9 +101,9 @@ nlohmann::json Render(const nlohmann::json& words, vtkSmartPointer<vtkRenderWind
 
 int main()
 {
-  scene::BeProgram();
-  scene::Outputs::RemoveAtEnd();
-  const scene::Messages::Scope scope;
+  reading::BeProgram();
+  reading::Outputs::RemoveAtEnd();
+  const reading::Messages::Scope scope;
   vtkSmartPointer<vtkRenderWindow> window;
   for (std::string line; std::getline(std::cin, line);)
   {

@@ -18,7 +18,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace scene
+namespace dataset
 {
 namespace
 {

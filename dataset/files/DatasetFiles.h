@@ -6,6 +6,8 @@
 #ifndef DatasetFiles_h
 #define DatasetFiles_h
 
+#include "DatasetNames.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
@@ -13,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace scene
+namespace dataset
 {
 /// Makes a folder and its parents. Throws FileError.
 void MakeFolder(const std::string& folder);

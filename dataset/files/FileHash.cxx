@@ -10,7 +10,7 @@
 #include <fstream>
 #include <limits>
 
-namespace scene
+namespace dataset
 {
 //------------------------------------------------------------------------------
 FileHash::FileHash()

@@ -6,11 +6,13 @@
 #ifndef FileHash_h
 #define FileHash_h
 
+#include "DatasetNames.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
 
-namespace scene
+namespace dataset
 {
 class FileHash
 {

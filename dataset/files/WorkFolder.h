@@ -7,6 +7,7 @@
 #ifndef WorkFolder_h
 #define WorkFolder_h
 
+#include "DatasetNames.h"
 #include "WorkPart.h"
 
 #include <nlohmann/json.hpp>
@@ -15,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace scene
+namespace dataset
 {
 /// Begins a folder, made if missing, by writing its settings to a file in it. Throws UsageError
 /// unless it is empty or was begun with these settings. A folder with nothing but settings, left by

@@ -12,7 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace scene
+namespace dataset
 {
 namespace
 {

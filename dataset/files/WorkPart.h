@@ -6,11 +6,13 @@
 #ifndef WorkPart_h
 #define WorkPart_h
 
+#include "DatasetNames.h"
+
 #include <array>
 #include <cstdint>
 #include <string>
 
-namespace scene
+namespace dataset
 {
 struct WorkPart
 {

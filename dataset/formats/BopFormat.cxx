@@ -5,7 +5,7 @@
 #include "DatasetModels.h"
 #include "DatasetView.h"
 
-namespace scene
+namespace dataset
 {
 namespace
 {

@@ -4,7 +4,7 @@
 #include "DatasetFormats.h"
 #include "DatasetView.h"
 
-namespace scene
+namespace dataset
 {
 namespace
 {

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace scene
+namespace dataset
 {
 namespace
 {

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <set>
 
-namespace scene
+namespace dataset
 {
 namespace
 {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace scene
+namespace words
 {
 namespace
 {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace scene
+namespace words
 {
 /// Calls option(row, value) for "--name value" and "--name=value", option(row, "") for a flag, and
 /// plain(word) for the other words and everything after "--". Throws UsageError for an unknown

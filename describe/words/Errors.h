@@ -9,7 +9,7 @@
 
 #include <stdexcept>
 
-namespace scene
+namespace words
 {
 /// The words were invalid: exit status 2. The text names the option, the given value and the
 /// expected one.

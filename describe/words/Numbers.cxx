@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace scene
+namespace words
 {
 //------------------------------------------------------------------------------
 std::string WriteNumber(double value)

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace scene
+namespace words
 {
 /// The shortest digits that parse back to the value.
 std::string WriteNumber(double value);

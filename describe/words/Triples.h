@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace scene
+namespace words
 {
 inline std::array<double, 3> Triple(const std::vector<double>& numbers, std::size_t first)
 {

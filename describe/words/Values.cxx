@@ -11,7 +11,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace scene
+namespace words
 {
 namespace
 {

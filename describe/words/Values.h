@@ -13,7 +13,7 @@
 
 struct vtkRelievoParameterList;
 
-namespace scene
+namespace words
 {
 /// Names with their values in words.
 using NamedWords = std::vector<std::pair<std::string, std::string>>;

@@ -6,10 +6,12 @@
 #ifndef AnnotationOptions_h
 #define AnnotationOptions_h
 
+#include "LookNames.h"
+
 #include <optional>
 #include <string>
 
-namespace scene
+namespace look
 {
 /// The scalar bar's place and texts.
 struct BarChoice

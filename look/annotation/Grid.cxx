@@ -26,7 +26,7 @@
 #include <cmath>
 #include <optional>
 
-namespace scene
+namespace look
 {
 using vtkRelievoAnnotation::GetInk;
 using vtkRelievoAnnotation::RoundDown;

@@ -7,6 +7,7 @@
 #define Grid_h
 
 #include "AnnotationOptions.h"
+#include "LookNames.h"
 
 #include "vtkCommand.h"
 #include "vtkNew.h"
@@ -22,7 +23,7 @@ class vtkRenderer;
 class vtkTextActor;
 class vtkTextProperty;
 
-namespace scene
+namespace look
 {
 /// Lays itself out for the camera before each picture: lines where sides of the box are behind its
 /// contents, numbers at its outer edges. The lines are translucent and unlit, so that they appear

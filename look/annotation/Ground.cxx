@@ -27,7 +27,7 @@
 #include <optional>
 #include <utility>
 
-namespace scene
+namespace look
 {
 namespace
 {

@@ -6,6 +6,7 @@
 #ifndef Ground_h
 #define Ground_h
 
+#include "LookNames.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -13,7 +14,7 @@
 class vtkActor;
 class vtkRenderer;
 
-namespace scene
+namespace look
 {
 /// A disc below these bounds, visible from above, that catches shadows: where lit, it has this
 /// colour, 0 to 1; in the background's bottom colour it is invisible. It fades out towards its rim.

@@ -21,7 +21,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace scene
+namespace look
 {
 namespace
 {

@@ -6,12 +6,14 @@
 #ifndef GroundSky_h
 #define GroundSky_h
 
+#include "LookNames.h"
+
 #include <array>
 #include <vector>
 
 class vtkRenderer;
 
-namespace scene
+namespace look
 {
 /// The scene as columns between the lowest and the highest point in each cell of a grid on the
 /// ground. In each of some directions, bands of elevation are hidden or not (O. Therrien,

@@ -9,7 +9,7 @@
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 
-namespace scene
+namespace look
 {
 //------------------------------------------------------------------------------
 void AddScalarBar(vtkRenderer* renderer, vtkColorTransferFunction* map, int steps,

@@ -7,6 +7,7 @@
 #define ScalarBar_h
 
 #include "AnnotationOptions.h"
+#include "LookNames.h"
 
 #include <array>
 #include <string>
@@ -14,7 +15,7 @@
 class vtkColorTransferFunction;
 class vtkRenderer;
 
-namespace scene
+namespace look
 {
 /// Values that a map colours.
 struct ColoredValues

@@ -9,7 +9,7 @@
 #include "vtkMath.h"
 #include "vtkRenderer.h"
 
-namespace scene
+namespace look
 {
 namespace
 {

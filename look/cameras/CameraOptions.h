@@ -6,6 +6,8 @@
 #ifndef CameraOptions_h
 #define CameraOptions_h
 
+#include "LookNames.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -13,7 +15,7 @@
 class vtkCamera;
 class vtkRenderer;
 
-namespace scene
+namespace look
 {
 struct CameraPlace
 {

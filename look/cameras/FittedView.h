@@ -6,11 +6,13 @@
 #ifndef FittedView_h
 #define FittedView_h
 
+#include "LookNames.h"
+
 #include <array>
 
 class vtkRenderer;
 
-namespace scene
+namespace look
 {
 class FittedView
 {

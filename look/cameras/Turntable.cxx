@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace scene
+namespace look
 {
 namespace
 {

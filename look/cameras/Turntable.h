@@ -7,10 +7,11 @@
 #define Turntable_h
 
 #include "CameraOptions.h"
+#include "LookNames.h"
 
 #include <vector>
 
-namespace scene
+namespace look
 {
 /// The view, turned to the middle of these bounds and as far from it that they stay within the
 /// renderer's picture on a whole turn, with the margin of fitted views.

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace scene
+namespace look
 {
 namespace
 {

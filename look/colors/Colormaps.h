@@ -6,6 +6,7 @@
 #ifndef Colormaps_h
 #define Colormaps_h
 
+#include "LookNames.h"
 #include "LookOptions.h"
 
 #include "vtkSmartPointer.h"
@@ -16,7 +17,7 @@
 
 class vtkColorTransferFunction;
 
-namespace scene
+namespace look
 {
 std::vector<std::string> GetColormapNames();
 

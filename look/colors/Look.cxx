@@ -38,7 +38,7 @@
 #include <map>
 #include <vector>
 
-namespace scene
+namespace look
 {
 namespace
 {

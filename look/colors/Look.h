@@ -6,13 +6,18 @@
 #ifndef Look_h
 #define Look_h
 
+#include "LookNames.h"
 #include "LookOptions.h"
 
 class vtkRenderer;
 
-namespace scene
+namespace reading
 {
 struct ArrayNames;
+}
+
+namespace look
+{
 
 /// Sets the shading of all actors' surfaces.
 void SetShading(vtkRenderer* renderer, Shading kind);

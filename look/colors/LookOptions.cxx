@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace scene
+namespace look
 {
 namespace
 {

@@ -8,6 +8,7 @@
 #define LookOptions_h
 
 #include "AnnotationOptions.h"
+#include "LookNames.h"
 
 #include <array>
 #include <optional>
@@ -15,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace scene
+namespace look
 {
 
 /// FromFile: phong, except that a glTF file keeps the shading of its own materials.

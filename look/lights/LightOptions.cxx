@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace scene
+namespace look
 {
 namespace
 {

@@ -6,6 +6,7 @@
 #ifndef LightOptions_h
 #define LightOptions_h
 
+#include "LookNames.h"
 #include "Sun.h"
 #include "Values.h"
 
@@ -13,7 +14,7 @@
 #include <optional>
 #include <string>
 
-namespace scene
+namespace look
 {
 struct LightChoice
 {

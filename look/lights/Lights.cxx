@@ -17,7 +17,7 @@
 #include <cmath>
 #include <string>
 
-namespace scene
+namespace look
 {
 namespace
 {

@@ -6,11 +6,13 @@
 #ifndef Lights_h
 #define Lights_h
 
+#include "LookNames.h"
+
 #include <vector>
 
 class vtkRenderer;
 
-namespace scene
+namespace look
 {
 struct LightChoice;
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <iterator>
 
-namespace scene
+namespace look
 {
 namespace
 {

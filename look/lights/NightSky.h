@@ -7,12 +7,13 @@
 #define NightSky_h
 
 #include "LightOptions.h"
+#include "LookNames.h"
 
 #include <array>
 #include <optional>
 #include <vector>
 
-namespace scene
+namespace look
 {
 /// The greatest elevation, in degrees, of suns given by time or angles; none: there are none. Those
 /// by angles are never below 0: they light from beneath.

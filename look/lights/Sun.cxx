@@ -14,7 +14,7 @@
 #include <regex>
 #include <vector>
 
-namespace scene
+namespace look
 {
 namespace
 {

@@ -6,10 +6,12 @@
 #ifndef Sun_h
 #define Sun_h
 
+#include "LookNames.h"
+
 #include <array>
 #include <string>
 
-namespace scene
+namespace look
 {
 struct SunAngles
 {

@@ -21,7 +21,7 @@
 #include <cmath>
 #include <string>
 
-namespace scene
+namespace look
 {
 namespace
 {

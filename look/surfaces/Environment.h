@@ -6,6 +6,7 @@
 #ifndef Environment_h
 #define Environment_h
 
+#include "LookNames.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -14,9 +15,13 @@ class vtkRelievoEnvironment;
 class vtkRelievoMaterial;
 class vtkRenderer;
 
-namespace scene
+namespace reading
 {
 class ReadContext;
+}
+
+namespace look
+{
 struct SurfaceChoice;
 
 /// The chosen environment with its irradiance, and with levels for a rough mirror; nullptr if there

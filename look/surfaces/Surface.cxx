@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace scene
+namespace look
 {
 namespace
 {

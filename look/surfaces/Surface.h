@@ -6,14 +6,20 @@
 #ifndef Surface_h
 #define Surface_h
 
+#include "LookNames.h"
+
 #include <vector>
 
 class vtkActor;
 class vtkRenderer;
 
-namespace scene
+namespace reading
 {
 class ReadContext;
+}
+
+namespace look
+{
 struct SurfaceChoice;
 
 /// Throws UsageError or WorkError for a file that is no image, or cannot be opened.

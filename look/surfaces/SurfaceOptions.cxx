@@ -14,7 +14,7 @@
 #include <map>
 #include <optional>
 
-namespace scene
+namespace look
 {
 namespace
 {

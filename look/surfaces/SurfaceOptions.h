@@ -7,6 +7,7 @@
 #ifndef SurfaceOptions_h
 #define SurfaceOptions_h
 
+#include "LookNames.h"
 #include "Values.h"
 
 #include "vtkRelievoParameterList.h"
@@ -15,7 +16,7 @@
 #include <set>
 #include <string>
 
-namespace scene
+namespace look
 {
 /// Methods for generating missing texture coordinates.
 enum class Mapping

@@ -16,7 +16,7 @@
 #include "vtkRelievoTextureCoordinates.h"
 #include "vtkTriangleFilter.h"
 
-namespace scene
+namespace look
 {
 namespace
 {

@@ -6,15 +6,21 @@
 #ifndef TextureCoordinates_h
 #define TextureCoordinates_h
 
+#include "LookNames.h"
+
 #include <optional>
 #include <string>
 
 class vtkActor;
 
-namespace scene
+namespace reading
+{
+class ReadContext;
+}
+
+namespace look
 {
 enum class Mapping;
-class ReadContext;
 
 /// Gives texture coordinates to the actor's meshes (of the file `path`) that have polygons but no
 /// coordinates; `up`: the axis that points up. If no method is chosen, uses a box, and notes it.

@@ -44,7 +44,7 @@
 #include <string>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -7,6 +7,7 @@
 #ifndef Actors_h
 #define Actors_h
 
+#include "ReadingNames.h"
 #include "vtkSmartPointer.h"
 
 #include <set>
@@ -15,7 +16,7 @@
 class vtkActor;
 class vtkDataObject;
 
-namespace scene
+namespace reading
 {
 class ReadContext;
 

@@ -15,7 +15,7 @@
 
 #include <numeric>
 
-namespace scene
+namespace reading
 {
 //------------------------------------------------------------------------------
 void ForEachDataSet(vtkDataObject* data, const std::function<void(vtkDataSet*)>& visit)

@@ -3,6 +3,7 @@
 #ifndef DataSets_h
 #define DataSets_h
 
+#include "ReadingNames.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -10,7 +11,7 @@
 class vtkDataObject;
 class vtkDataSet;
 
-namespace scene
+namespace reading
 {
 /// Calls `visit` for the object if it is a data set, or for each data set in a composite.
 void ForEachDataSet(vtkDataObject* data, const std::function<void(vtkDataSet*)>& visit);

@@ -19,7 +19,7 @@
 #include <sstream>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -6,6 +6,7 @@
 #ifndef FinitePoints_h
 #define FinitePoints_h
 
+#include "ReadingNames.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -13,7 +14,7 @@
 class vtkDataObject;
 class vtkProp3D;
 
-namespace scene
+namespace reading
 {
 class ReadContext;
 

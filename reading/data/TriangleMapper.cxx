@@ -20,7 +20,7 @@
 #include <limits>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 vtkStandardNewMacro(TriangleMapper);
 

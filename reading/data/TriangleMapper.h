@@ -9,11 +9,12 @@
 #ifndef TriangleMapper_h
 #define TriangleMapper_h
 
+#include "ReadingNames.h"
 #include "vtkOpenGLPolyDataMapper.h"
 
 #include <array>
 
-namespace scene
+namespace reading
 {
 class TriangleMapper : public vtkOpenGLPolyDataMapper
 {

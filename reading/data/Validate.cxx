@@ -26,7 +26,7 @@
 #include <cmath>
 #include <functional>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -3,11 +3,13 @@
 #ifndef Validate_h
 #define Validate_h
 
+#include "ReadingNames.h"
+
 #include <string>
 
 class vtkDataObject;
 
-namespace scene
+namespace reading
 {
 /// Throws WorkError with the path, the cell and the expected value if a cell refers to a missing
 /// point, has the wrong number of points for its type, or is of a type unknown to VTK; if points or

@@ -36,7 +36,7 @@
 #include <map>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -6,6 +6,7 @@
 #ifndef VolumeImages_h
 #define VolumeImages_h
 
+#include "ReadingNames.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -17,7 +18,7 @@ class vtkImageData;
 class vtkPolyData;
 class vtkVolume;
 
-namespace scene
+namespace reading
 {
 class Progress;
 

@@ -16,7 +16,7 @@
 #include <new>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -6,13 +6,14 @@
 #ifndef Apart_h
 #define Apart_h
 
+#include "ReadingNames.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
 
 class vtkDataObject;
 
-namespace scene
+namespace reading
 {
 class ReadContext;
 

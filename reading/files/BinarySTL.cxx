@@ -22,7 +22,7 @@
 #include <system_error>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 vtkStandardNewMacro(BinarySTL);
 

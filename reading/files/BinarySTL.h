@@ -7,12 +7,13 @@
 #ifndef BinarySTL_h
 #define BinarySTL_h
 
+#include "ReadingNames.h"
 #include "vtkPolyDataAlgorithm.h"
 
 #include <cstddef>
 #include <string>
 
-namespace scene
+namespace reading
 {
 class BinarySTL : public vtkPolyDataAlgorithm
 {

@@ -18,7 +18,7 @@
 
 #include <algorithm>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -6,6 +6,7 @@
 #ifndef Images_h
 #define Images_h
 
+#include "ReadingNames.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
@@ -16,7 +17,7 @@ class vtkActor;
 class vtkImageData;
 class vtkRelievoAllowedFolders;
 
-namespace scene
+namespace reading
 {
 class ReadContext;
 

@@ -48,7 +48,7 @@
 #include <utility>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 namespace
 {

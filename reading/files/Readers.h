@@ -7,6 +7,7 @@
 #ifndef Readers_h
 #define Readers_h
 
+#include "ReadingNames.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -14,7 +15,7 @@
 
 class vtkDataObject;
 
-namespace scene
+namespace reading
 {
 class ReadContext;
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace scene
+namespace reading
 {
 namespace
 {

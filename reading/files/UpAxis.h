@@ -6,9 +6,11 @@
 #ifndef UpAxis_h
 #define UpAxis_h
 
+#include "ReadingNames.h"
+
 #include <string>
 
-namespace scene
+namespace reading
 {
 /// Returns 1 (y) or 2 (z), by the format's custom and by the place of the bounds: models from tools
 /// with z up stand on z = 0.

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <mutex>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -7,10 +7,12 @@
 #ifndef Messages_h
 #define Messages_h
 
+#include "ReadingNames.h"
+
 #include <string>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 class Messages
 {

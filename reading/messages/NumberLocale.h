@@ -8,11 +8,13 @@
 #ifndef NumberLocale_h
 #define NumberLocale_h
 
+#include "ReadingNames.h"
+
 #include <locale.h> // for uselocale
 
 #include <string>
 
-namespace scene
+namespace reading
 {
 class NumberLocale
 {

@@ -9,7 +9,7 @@
 #include <exception>
 #include <new>
 
-namespace scene
+namespace reading
 {
 //------------------------------------------------------------------------------
 Outcome Try(const std::function<void()>& work)

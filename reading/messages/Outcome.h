@@ -6,10 +6,12 @@
 #ifndef Outcome_h
 #define Outcome_h
 
+#include "ReadingNames.h"
+
 #include <functional>
 #include <string>
 
-namespace scene
+namespace reading
 {
 struct Outcome
 {

@@ -13,7 +13,7 @@
 
 namespace fs = std::filesystem;
 
-namespace scene
+namespace reading
 {
 namespace
 {

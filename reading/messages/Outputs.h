@@ -8,13 +8,14 @@
 #ifndef Outputs_h
 #define Outputs_h
 
+#include "ReadingNames.h"
 #include "vtkRelievoTemporaryFile.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 class Outputs
 {

@@ -16,7 +16,7 @@
 
 #include <unistd.h>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -9,12 +9,14 @@
 #ifndef Progress_h
 #define Progress_h
 
+#include "ReadingNames.h"
+
 #include <chrono>
 #include <string>
 
 class vtkObject;
 
-namespace scene
+namespace reading
 {
 /// A listener that replaces the standard error stream, and may stop the work.
 class ProgressListener

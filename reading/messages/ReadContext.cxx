@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -6,13 +6,14 @@
 #ifndef ReadContext_h
 #define ReadContext_h
 
+#include "ReadingNames.h"
 #include "vtkRelievoAllowedFolders.h"
 
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 class Progress;
 

@@ -9,7 +9,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace scene
+namespace reading
 {
 namespace
 {

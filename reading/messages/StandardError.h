@@ -7,9 +7,11 @@
 #ifndef StandardError_h
 #define StandardError_h
 
+#include "ReadingNames.h"
+
 #include <cstdio>
 
-namespace scene
+namespace reading
 {
 /// Declares that the process is the command or the viewer: its error output is ours, and files are
 /// read in other processes. Call it first in main(), before threads start. In other programs, such

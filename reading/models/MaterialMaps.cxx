@@ -8,7 +8,7 @@
 #include "vtkNew.h"
 #include "vtkTransform.h"
 
-namespace scene
+namespace reading
 {
 //------------------------------------------------------------------------------
 void MaterialPainter::Put(vtkActor* actor, const MaterialMaps& maps)

@@ -7,6 +7,7 @@
 #ifndef MaterialMaps_h
 #define MaterialMaps_h
 
+#include "ReadingNames.h"
 #include "vtkImageData.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkSmartPointer.h"
@@ -19,7 +20,7 @@
 
 class vtkActor;
 
-namespace scene
+namespace reading
 {
 struct MaterialMaps
 {

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace scene
+namespace reading
 {
 namespace
 {

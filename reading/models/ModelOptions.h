@@ -7,11 +7,13 @@
 #ifndef ModelOptions_h
 #define ModelOptions_h
 
+#include "ReadingNames.h"
+
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 enum class SkinChoice
 {

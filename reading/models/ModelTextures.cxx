@@ -20,7 +20,7 @@
 #include <exception>
 #include <filesystem>
 
-namespace scene
+namespace reading
 {
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ModelTextures::Read(const std::string& name)

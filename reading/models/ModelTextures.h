@@ -7,6 +7,7 @@
 #define ModelTextures_h
 
 #include "MaterialMaps.h"
+#include "ReadingNames.h"
 
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
@@ -19,7 +20,7 @@ class vtkActor;
 class vtkDataSet;
 class vtkRelievoModelReader;
 
-namespace scene
+namespace reading
 {
 class ReadContext;
 

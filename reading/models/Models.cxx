@@ -26,7 +26,7 @@
 #include <optional>
 #include <utility>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -6,6 +6,7 @@
 #ifndef Models_h
 #define Models_h
 
+#include "ReadingNames.h"
 #include "vtkActor.h"              // for the parts
 #include "vtkRelievoModelReader.h" // for the model
 #include "vtkSmartPointer.h"
@@ -13,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 class ReadContext;
 struct ModelChoice;

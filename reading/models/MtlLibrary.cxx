@@ -15,7 +15,7 @@
 #include <system_error>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -6,6 +6,8 @@
 #ifndef MtlLibrary_h
 #define MtlLibrary_h
 
+#include "ReadingNames.h"
+
 #include <array>
 #include <filesystem>
 #include <map>
@@ -13,7 +15,7 @@
 
 class vtkRelievoAllowedFolders;
 
-namespace scene
+namespace reading
 {
 class ReadContext;
 

@@ -33,7 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace scene
+namespace reading
 {
 namespace
 {

@@ -7,6 +7,7 @@
 #ifndef ObjMaterials_h
 #define ObjMaterials_h
 
+#include "ReadingNames.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -15,7 +16,7 @@
 class vtkActor;
 class vtkDataObject;
 
-namespace scene
+namespace reading
 {
 class ReadContext;
 

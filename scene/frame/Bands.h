@@ -8,6 +8,8 @@
 #ifndef Bands_h
 #define Bands_h
 
+#include "SceneNames.h"
+
 #include <array>
 
 class vtkRenderWindow;

@@ -7,6 +7,8 @@
 #ifndef Display_h
 #define Display_h
 
+#include "SceneNames.h"
+
 #include <array>
 
 class vtkOpenGLRenderWindow;

@@ -6,6 +6,7 @@
 #ifndef Flow_h
 #define Flow_h
 
+#include "SceneNames.h"
 #include "vtkSmartPointer.h"
 
 #include <string>

@@ -7,6 +7,7 @@
 #define Frame_h
 
 #include "Points.h"
+#include "SceneNames.h"
 
 #include <string>
 #include <vector>

@@ -7,6 +7,7 @@
 #ifndef Lens_h
 #define Lens_h
 
+#include "SceneNames.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -19,9 +20,13 @@ class vtkFieldData;
 class vtkRelievoCameraModel;
 class vtkRenderer;
 
-namespace scene
+namespace reading
 {
 class Progress;
+}
+
+namespace scene
+{
 struct RenderOptions;
 
 /// Throws UsageError for a layer that rays cannot compute.

@@ -6,6 +6,7 @@
 #ifndef Points_h
 #define Points_h
 
+#include "SceneNames.h"
 #include "vtkRelievoPointValues.h"
 #include "vtkSmartPointer.h"
 
@@ -14,9 +15,13 @@
 
 class vtkRelievoPass;
 
-namespace scene
+namespace reading
 {
 class ReadContext;
+}
+
+namespace scene
+{
 struct PointsChoice;
 struct RenderOptions;
 

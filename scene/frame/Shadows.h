@@ -6,6 +6,8 @@
 #ifndef Shadows_h
 #define Shadows_h
 
+#include "SceneNames.h"
+
 class vtkRelievoPass;
 class vtkRenderer;
 

@@ -6,6 +6,8 @@
 #ifndef Version_h
 #define Version_h
 
+#include "SceneNames.h"
+
 #include <string>
 #include <vector>
 

@@ -7,6 +7,7 @@
 #define CameraPath_h
 
 #include "CameraOptions.h"
+#include "SceneNames.h"
 
 #include <string>
 #include <vector>

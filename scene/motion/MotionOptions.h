@@ -6,6 +6,8 @@
 #ifndef MotionOptions_h
 #define MotionOptions_h
 
+#include "SceneNames.h"
+
 #include <string>
 
 namespace scene

@@ -6,6 +6,8 @@
 #ifndef VideoFile_h
 #define VideoFile_h
 
+#include "SceneNames.h"
+
 #include <array>
 #include <string>
 

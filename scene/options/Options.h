@@ -13,6 +13,7 @@
 #include "ModelOptions.h"
 #include "MotionOptions.h"
 #include "PointOptions.h"
+#include "SceneNames.h"
 #include "Stages.h"
 #include "SurfaceOptions.h"
 #include "VolumeImages.h"

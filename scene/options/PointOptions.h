@@ -7,6 +7,7 @@
 #ifndef PointOptions_h
 #define PointOptions_h
 
+#include "SceneNames.h"
 #include "Values.h"
 
 #include "vtkRelievoPointValues.h"

@@ -7,6 +7,8 @@
 #ifndef Presets_h
 #define Presets_h
 
+#include "SceneNames.h"
+
 #include <set>
 #include <string>
 #include <vector>

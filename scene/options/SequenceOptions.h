@@ -6,6 +6,8 @@
 #ifndef SequenceOptions_h
 #define SequenceOptions_h
 
+#include "SceneNames.h"
+
 #include <set>
 #include <string>
 

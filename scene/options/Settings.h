@@ -10,6 +10,7 @@
 #define Settings_h
 
 #include "Numbers.h" // for the values
+#include "SceneNames.h"
 
 #include <map>
 #include <set>

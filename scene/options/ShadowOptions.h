@@ -7,6 +7,7 @@
 #ifndef ShadowOptions_h
 #define ShadowOptions_h
 
+#include "SceneNames.h"
 #include "Values.h" // for NamedWords
 
 #include <set>

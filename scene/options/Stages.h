@@ -7,6 +7,8 @@
 #ifndef Stages_h
 #define Stages_h
 
+#include "SceneNames.h"
+
 #include <string>
 #include <utility>
 #include <vector>

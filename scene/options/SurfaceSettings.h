@@ -6,6 +6,8 @@
 #ifndef SurfaceSettings_h
 #define SurfaceSettings_h
 
+#include "SceneNames.h"
+
 #include <string>
 
 namespace scene

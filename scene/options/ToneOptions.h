@@ -6,6 +6,8 @@
 #ifndef ToneOptions_h
 #define ToneOptions_h
 
+#include "SceneNames.h"
+
 #include <string>
 
 namespace scene

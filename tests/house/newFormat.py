@@ -14,7 +14,7 @@ CLASS = """// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 #include "DatasetFiles.h"
 #include "DatasetFormats.h"
 
-namespace scene
+namespace dataset
 {
 namespace
 {

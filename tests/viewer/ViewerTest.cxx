@@ -433,7 +433,7 @@ int Run(QObject& tests, int argc, char* argv[])
   QSettings().clear(); // of the run before
   viewer::UseHighDpi();
   viewer::Application application(argc, argv);
-  const scene::Messages::Scope scope;
+  const reading::Messages::Scope scope;
   return QTest::qExec(&tests, argc, argv);
 }
 }

@@ -124,7 +124,7 @@ std::vector<std::string> GetValues(const vtkRelievoParameter& parameter)
       {
         value = before + (whole ? 1.0 : std::min(1.0, 0.1 * (parameter.Most - before)));
       }
-      return { scene::WriteNumber(value) };
+      return { words::WriteNumber(value) };
     }
   }
 }
@@ -255,12 +255,12 @@ private Q_SLOTS:
     this->Open(words);
     const scene::Settings before = this->Window->GetDocument()->Get();
     for (const vtkRelievoParameterList* list :
-      { &scene::GetMaterialValues(), &scene::GetEnvironmentValues() })
+      { &look::GetMaterialValues(), &look::GetEnvironmentValues() })
     {
       for (vtkRelievoParameter parameter : list->Parameters)
       {
         const std::string name = parameter.Name;
-        parameter.Default = scene::GetSurfaceValue(before.Parse().Surface, name);
+        parameter.Default = look::GetSurfaceValue(before.Parse().Surface, name);
         auto* edit = this->Window->findChild<viewer::ParameterEdit*>(QString::fromStdString(name));
         QVERIFY2(edit && edit->isEnabled(), name.c_str());
         for (const std::string& value : GetValues(parameter))
@@ -269,7 +269,7 @@ private Q_SLOTS:
           Q_EMIT edit->edited(QString::fromStdString(value));
           const scene::Settings after = this->Window->GetDocument()->Get();
           QVERIFY2(after != before, what.c_str());
-          QVERIFY2(scene::GetSurfaceValue(after.Parse().Surface, name) == value, what.c_str());
+          QVERIFY2(look::GetSurfaceValue(after.Parse().Surface, name) == value, what.c_str());
           this->WaitUntilRead();
           this->Compare(what.c_str());
         }

@@ -146,8 +146,8 @@ private Q_SLOTS:
     this->Window = std::make_unique<viewer::MainWindow>();
     this->Window->show();
     const QString png = QString::fromStdString(this->Path("none.png"));
-    QVERIFY_EXCEPTION_THROWN(this->Window->SavePicture({ png, {} }), scene::WorkError);
-    QVERIFY_EXCEPTION_THROWN(this->Window->SaveLayers({ png, {}, { "depth" } }), scene::WorkError);
+    QVERIFY_EXCEPTION_THROWN(this->Window->SavePicture({ png, {} }), words::WorkError);
+    QVERIFY_EXCEPTION_THROWN(this->Window->SaveLayers({ png, {}, { "depth" } }), words::WorkError);
     const char* const names[] = { "copyCommand", "copyPython", "savePicture", "saveLayers", "fit",
       "look1", "parallel" };
     for (const char* name : names)
@@ -534,7 +534,7 @@ private Q_SLOTS:
   void comparesWithAPicture()
   {
     this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
-    QVERIFY_EXCEPTION_THROWN(this->Window->SaveReport("none.html"), scene::WorkError);
+    QVERIFY_EXCEPTION_THROWN(this->Window->SaveReport("none.html"), words::WorkError);
     auto* action = this->Window->findChild<QAction*>("compareWith");
     for (const char* name : { "broken.exr", "broken.png" })
     {

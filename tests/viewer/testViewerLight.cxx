@@ -140,7 +140,7 @@ private Q_SLOTS:
       this->WaitUntilRead();
       QCOMPARE(this->GetLights(), Words{ light });
       const std::array<double, 3> wanted =
-        scene::GetSunDirection(scene::GetSunAngles(*scene::ParseLight(light).Time), axis);
+        look::GetSunDirection(look::GetSunAngles(*look::ParseLight(light).Time), axis);
       const double* found = this->GetLight(0)->GetPosition();
       QVERIFY(std::hypot(found[0] - wanted[0], found[1] - wanted[1], found[2] - wanted[2]) < 1e-12);
     }
@@ -155,7 +155,7 @@ private Q_SLOTS:
     auto* up = this->Window->findChild<QGroupBox*>("scene")->findChild<QComboBox*>("up");
     const auto angles = [this](int light, int axis) {
       const double* d = this->GetLight(light)->GetPosition();
-      return scene::GetSunAngles({ d[0], d[1], d[2] }, axis);
+      return look::GetSunAngles({ d[0], d[1], d[2] }, axis);
     };
     const std::array<double, 2> high = { angles(0, 1).Elevation, angles(1, 1).Elevation };
     QVERIFY(high[0] > 20.0 && high[1] > 20.0);
@@ -184,8 +184,7 @@ private Q_SLOTS:
       (QStringList{ "light 0|point", "light 1|sun", "light 2|sun", "stage, left|spot" }));
     // One angle is edited; the other is not rounded.
     this->Select(1);
-    const double elevation =
-      scene::GetSunAngles(scene::ParseLight(lights[1]).Position, 1).Elevation;
+    const double elevation = look::GetSunAngles(look::ParseLight(lights[1]).Position, 1).Elevation;
     this->Type("azimuth", -30.0);
     QCOMPARE(this->Shown("azimuth"), 330.0); // the same direction
     const Words after = this->GetLights();
@@ -195,7 +194,7 @@ private Q_SLOTS:
       QCOMPARE(after[i], lights[i]);
     }
     QVERIFY(after[1].find(",size=2") != std::string::npos);
-    const scene::SunAngles angles = *scene::ParseLight(after[1]).Angles;
+    const look::SunAngles angles = *look::ParseLight(after[1]).Angles;
     QVERIFY(std::abs(angles.Elevation - elevation) < 1e-12);
     QVERIFY(std::abs(angles.Azimuth - 330.0) < 1e-9);
     // Each value of the last.
@@ -229,7 +228,7 @@ private Q_SLOTS:
     auto* list = this->GetList();
     QCOMPARE(list->indexOfTopLevelItem(list->currentItem()), 2);
     list->currentItem()->setText(0, "lamp, by the door");
-    QCOMPARE(scene::ParseLight(this->GetLights()[2]).Name, std::string("lamp, by the door"));
+    QCOMPARE(look::ParseLight(this->GetLights()[2]).Name, std::string("lamp, by the door"));
     QVERIFY(this->GetLights()[2].find("name=lamp\\, by") != std::string::npos);
     this->GetButton("duplicate")->click();
     QCOMPARE(this->GetLights()[3], this->GetLights()[2]);
@@ -383,8 +382,8 @@ private Q_SLOTS:
     this->GetBox("by")->setCurrentIndex(1);
     QCOMPARE(this->GetLights(), Words{ "sun:2026-06-21T15:00Z,48,0,size=3" });
     this->GetBox("by")->setCurrentIndex(0);
-    const scene::SunAngles angles = scene::GetSunAngles(scene::SunTime());
-    const scene::SunAngles found = *scene::ParseLight(this->GetLights()[0]).Angles;
+    const look::SunAngles angles = look::GetSunAngles(look::SunTime());
+    const look::SunAngles found = *look::ParseLight(this->GetLights()[0]).Angles;
     QVERIFY(std::abs(found.Azimuth - angles.Azimuth) < 1e-9);
     QVERIFY(std::abs(found.Elevation - angles.Elevation) < 1e-9);
     QVERIFY(std::abs(this->Shown("azimuth") - angles.Azimuth) < 0.006);
@@ -426,7 +425,7 @@ private Q_SLOTS:
     QVERIFY(says().contains("elevation 65"));
     this->Type("time", 0.5);
     const double below =
-      -scene::GetSunAngles(*scene::ParseLight(this->GetLights()[0]).Time).Elevation;
+      -look::GetSunAngles(*look::ParseLight(this->GetLights()[0]).Time).Elevation;
     QVERIFY(below > 15.0);
     QVERIFY2(
       says().contains(QString("Night: the sun is %1").arg(below, 0, 'f', 1)), qPrintable(says()));
@@ -482,7 +481,7 @@ private Q_SLOTS:
     QCOMPARE(
       this->GetRows(), (QStringList{ preset + ": key light|sun", preset + ": fill|4 suns" }));
     const double* p = this->GetLight(0)->GetPosition();
-    const scene::SunAngles angles = scene::GetSunAngles({ p[0], p[1], p[2] }, 1);
+    const look::SunAngles angles = look::GetSunAngles({ p[0], p[1], p[2] }, 1);
     QVERIFY(std::abs(this->Shown("azimuth") - angles.Azimuth) < 0.006);
     QVERIFY(std::abs(this->Shown("elevation") - angles.Elevation) < 0.006);
     QCOMPARE(this->Shown("fill"), 1.0);
@@ -613,7 +612,7 @@ private Q_SLOTS:
     button->click();
     click({ 0, 0 }); // the top of the ball
     QVERIFY(!button->isChecked());
-    scene::LightChoice light = scene::ParseLight(this->GetLights()[0]);
+    look::LightChoice light = look::ParseLight(this->GetLights()[0]);
     QVERIFY2(std::hypot(light.FocalPoint[0], light.FocalPoint[1] - 1.4, light.FocalPoint[2]) < 0.03,
       this->GetLights()[0].c_str());
     QCOMPARE(light.Position[1], 5.0);
@@ -623,7 +622,7 @@ private Q_SLOTS:
     button->click();
     const QPoint aside(view->height() / 3, 0); // on the ground, which layers do not have
     click(aside);
-    light = scene::ParseLight(this->GetLights()[1]);
+    light = look::ParseLight(this->GetLights()[1]);
     QVERIFY(std::abs(light.Position[0] - unit * aside.x()) < 0.03);
     QCOMPARE(light.Position[1], 4.0); // as high as before
     QVERIFY(std::abs(light.Position[2]) < 0.03);
@@ -706,7 +705,7 @@ private Q_SLOTS:
     const std::string camera = this->Window->GetViewSettings().Get("--camera");
     const Words before = this->GetLights();
     drag(*handles->GetPlace(0, false), seen(-1.0, 1.0));
-    std::array<double, 3> place = scene::ParseLight(this->GetLights()[0]).Position;
+    std::array<double, 3> place = look::ParseLight(this->GetLights()[0]).Position;
     QVERIFY2(std::hypot(place[0] + 1.0, place[1] - 2.0, place[2] - 1.0) < 0.03,
       this->GetLights()[0].c_str());
     QVERIFY(this->GetLights()[0].size() < 25); // few digits
@@ -714,14 +713,14 @@ private Q_SLOTS:
     QCOMPARE(this->GetList()->currentIndex().row(), 1);
     QVERIFY(near(handles->GetPlace(1, true), seen(1.2, 1.2)));
     drag(*handles->GetPlace(1, true), seen(0.0, 0.0)); // the top of the ball
-    const scene::LightChoice spot = scene::ParseLight(this->GetLights()[1]);
+    const look::LightChoice spot = look::ParseLight(this->GetLights()[1]);
     QVERIFY2(std::hypot(spot.FocalPoint[0], spot.FocalPoint[1] - 1.4, spot.FocalPoint[2]) < 0.03,
       this->GetLights()[1].c_str());
     QVERIFY(
       std::hypot(spot.Position[0] - 2.0, spot.Position[1] - 5.0, spot.Position[2] - 1.0) < 0.03);
     QCOMPARE(spot.ConeAngle, 30.0);
     drag(*handles->GetPlace(2, false), seen(2.0, -2.0));
-    place = scene::ParseLight(this->GetLights()[2]).Position;
+    place = look::ParseLight(this->GetLights()[2]).Position;
     QVERIFY(std::hypot(place[0] - 2.0, place[1] - 2.0, place[2] + 2.0) < 0.03);
     QCOMPARE(this->Window->GetViewSettings().Get("--camera"), camera);
     this->Compare("dragged");

@@ -43,8 +43,8 @@ private Q_SLOTS:
       (Words{ "--stage", "ambient:enabled=on,strength=0.5,radius=2", "a.vtp" }));
     QCOMPARE(words({ "a.vtp", "--png", "a.png" }), Words{ "a.vtp" });
     QCOMPARE(words({ "--", "-a.vtp" }), (Words{ "--", "-a.vtp" }));
-    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--wrong", "1" }), scene::UsageError);
-    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--opacity", "2" }), scene::UsageError);
+    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--wrong", "1" }), words::UsageError);
+    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--opacity", "2" }), words::UsageError);
   }
 
   // Written words parse to the same settings.
@@ -279,7 +279,7 @@ private Q_SLOTS:
   void numbers()
   {
     QCOMPARE(
-      scene::WriteNumbers({ 0.1, 100.0, 1.0 / 3.0 }), std::string("0.1,100,0.3333333333333333"));
+      words::WriteNumbers({ 0.1, 100.0, 1.0 / 3.0 }), std::string("0.1,100,0.3333333333333333"));
   }
 };
 

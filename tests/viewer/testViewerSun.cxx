@@ -14,7 +14,7 @@
 
 namespace testViewerSun
 {
-using scene::SunAngles;
+using look::SunAngles;
 
 class TestViewerSun : public QObject
 {
@@ -26,17 +26,17 @@ private Q_SLOTS:
   // 0.017 of refraction at a height of 1830 m.
   void published()
   {
-    const scene::LightChoice light =
-      scene::ParseLight("sun:2003-10-17T12:30:30-07:00,39.742476,-105.1786,size=1");
+    const look::LightChoice light =
+      look::ParseLight("sun:2003-10-17T12:30:30-07:00,39.742476,-105.1786,size=1");
     QVERIFY(light.Time);
-    const SunAngles angles = scene::GetSunAngles(*light.Time);
+    const SunAngles angles = look::GetSunAngles(*light.Time);
     QVERIFY2(
       std::abs(angles.Azimuth - 194.340) < 0.03, qPrintable(QString::number(angles.Azimuth)));
     QVERIFY2(std::abs(angles.Elevation - (90.0 - 50.112 - 0.017)) < 0.03,
       qPrintable(QString::number(angles.Elevation)));
     QVERIFY(!light.IsNight());
-    QVERIFY(scene::ParseLight("sun:2003-10-17T23:30-07:00,39.742476,-105.1786").IsNight());
-    QVERIFY(!scene::ParseLight("sun:0,-1,0").IsNight()); // which lights from beneath
+    QVERIFY(look::ParseLight("sun:2003-10-17T23:30-07:00,39.742476,-105.1786").IsNight());
+    QVERIFY(!look::ParseLight("sun:0,-1,0").IsNight()); // which lights from beneath
   }
 
   void words_data()
@@ -54,7 +54,7 @@ private Q_SLOTS:
   {
     QFETCH(QString, words);
     QCOMPARE(
-      QString::fromStdString(scene::WriteSunTime(scene::ParseSunTime("", words.toStdString()))),
+      QString::fromStdString(look::WriteSunTime(look::ParseSunTime("", words.toStdString()))),
       words);
   }
 
@@ -65,17 +65,16 @@ private Q_SLOTS:
       return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < 1e-12;
     };
     const SunAngles east = { 90.0, 0.0 }, north = { 0.0, 0.0 }, above = { 0.0, 90.0 };
-    QVERIFY(same(scene::GetSunDirection(east, 1), { 1, 0, 0 }));
-    QVERIFY(same(scene::GetSunDirection(north, 0), { 0, 0, 1 }));
-    QVERIFY(same(scene::GetSunDirection(north, 1), { 0, 0, -1 }));
-    QVERIFY(same(scene::GetSunDirection(north, 2), { 0, 1, 0 }));
+    QVERIFY(same(look::GetSunDirection(east, 1), { 1, 0, 0 }));
+    QVERIFY(same(look::GetSunDirection(north, 0), { 0, 0, 1 }));
+    QVERIFY(same(look::GetSunDirection(north, 1), { 0, 0, -1 }));
+    QVERIFY(same(look::GetSunDirection(north, 2), { 0, 1, 0 }));
     for (int axis = 0; axis < 3; ++axis)
     {
       Direction up = { 0, 0, 0 };
       up[axis] = 1.0;
-      QVERIFY(same(scene::GetSunDirection(above, axis), up));
-      const SunAngles back =
-        scene::GetSunAngles(scene::GetSunDirection({ 222.0, 33.0 }, axis), axis);
+      QVERIFY(same(look::GetSunDirection(above, axis), up));
+      const SunAngles back = look::GetSunAngles(look::GetSunDirection({ 222.0, 33.0 }, axis), axis);
       QVERIFY(std::abs(back.Azimuth - 222.0) < 1e-9 && std::abs(back.Elevation - 33.0) < 1e-9);
     }
   }

@@ -75,7 +75,7 @@ int main(int argc, char* argv[])
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
   int ours = 1;
   viewer::Application application(ours, argv);
-  const scene::Messages::Scope scope;
+  const reading::Messages::Scope scope;
   viewer::MainWindow window;
   const QStringList size = QString(argv[2]).split('x');
   window.resize(size.value(0).toInt(), size.value(1).toInt());

@@ -72,23 +72,23 @@ public:
     }
     const std::string all = "all";
     const bool isAll = std::find(this->Names.begin(), this->Names.end(), all) != this->Names.end();
-    const std::string expected = "one of " + scene::Join(names, ", ") + ", or all";
+    const std::string expected = "one of " + words::Join(names, ", ") + ", or all";
     if (this->Names.empty())
     {
-      throw scene::UsageError(
+      throw words::UsageError(
         "bench: no NAME given, expected " + expected + " (bench --list describes them)");
     }
     for (const std::string& name : this->Names)
     {
       if (std::find(names.begin(), names.end(), name) == names.end() && name != all)
       {
-        scene::RefuseValue("bench", name, expected);
+        words::RefuseValue("bench", name, expected);
       }
     }
     const bool isScript = this->Names.size() == 1 && !isAll && FindScript(this->Names.front());
     if (dashes != words.end() && !(isScript && this->Beside.empty()))
     {
-      throw scene::UsageError("bench: got options after --, expected one NAME of a Python script "
+      throw words::UsageError("bench: got options after --, expected one NAME of a Python script "
                               "(bench --list has them), without --beside");
     }
     {
@@ -107,7 +107,7 @@ public:
     relievoBench::SetMostRounds(this->Quick ? quickRounds : 0);
     return RelievoBench(this->Names.front(), this->Folder);
 #else
-    throw scene::UsageError(
+    throw words::UsageError(
       "bench: this relievo was built without its benches (RELIEVO_BUILD_BENCH=OFF)");
 #endif
   }
@@ -165,9 +165,9 @@ private:
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
     if (error)
     {
-      throw scene::WorkError("bench: cannot find its own program: " + error.message());
+      throw words::WorkError("bench: cannot find its own program: " + error.message());
     }
-    std::vector<std::string> machine = scene::Split(scene::DescribeVersions(), '\n');
+    std::vector<std::string> machine = words::Split(scene::DescribeVersions(), '\n');
     machine.erase(std::remove(machine.begin(), machine.end(), ""), machine.end());
     return relievoBench::RunBenches(
       program.string(), asked, this->Folder, this->Beside, machine, this->Quick);

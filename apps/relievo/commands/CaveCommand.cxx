@@ -36,26 +36,26 @@ public:
   int Run(const std::vector<std::string>& words) override
   {
     this->Take(words);
-    const scene::Messages::Scope scope;
-    scene::Outputs outputs;
+    const reading::Messages::Scope scope;
+    reading::Outputs outputs;
     outputs.Add("-o", this->File, {});
     {
-      scene::Progress progress;
+      reading::Progress progress;
       progress.Begin("making caves");
       progress.Observe(this->Caves);
       this->Caves->Update();
       try
       {
-        scene::Messages::Check("cave", this->Caves->GetErrorCode() != vtkErrorCode::NoError);
+        reading::Messages::Check("cave", this->Caves->GetErrorCode() != vtkErrorCode::NoError);
       }
-      catch (const scene::WorkError& error)
+      catch (const words::WorkError& error)
       {
         const std::string text = this->NameOptions(error.what());
         if (text.find(", expected ") != std::string::npos) // not an error about memory
         {
-          throw scene::UsageError(text);
+          throw words::UsageError(text);
         }
-        throw scene::WorkError(text);
+        throw words::WorkError(text);
       }
       vtkNew<vtkXMLImageDataWriter> writer;
       writer->SetInputData(this->Caves->GetOutput());
@@ -65,7 +65,7 @@ public:
       progress.Begin("writing " + this->File);
       progress.Observe(writer);
       const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
-      scene::Messages::Check(
+      reading::Messages::Check(
         "-o " + this->File, !written, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
     }
     outputs.Commit();

@@ -71,13 +71,13 @@ void Command::AddFlag(const std::string& name, const std::string& help, bool& fl
 vtkRelievoOption& Command::AddOutput(
   const std::string& use, const std::string& help, std::string& file)
 {
-  const std::string extension = scene::ExtensionOf(use);
+  const std::string extension = reading::ExtensionOf(use);
   const std::string name = use.substr(0, use.find(' '));
   vtkRelievoOption& option =
     this->Add(use, help, [&file, name, extension](const std::string& value) {
-      if (scene::ExtensionOf(value) != extension)
+      if (reading::ExtensionOf(value) != extension)
       {
-        scene::RefuseValue(name, value, "a name that ends in " + extension);
+        words::RefuseValue(name, value, "a name that ends in " + extension);
       }
       file = value;
     });
@@ -88,7 +88,7 @@ vtkRelievoOption& Command::AddOutput(
 //------------------------------------------------------------------------------
 void Command::AddMeshOptions(const std::string& extension)
 {
-  this->Rows.Files = scene::Join(scene::GetExtensions(), "|");
+  this->Rows.Files = words::Join(reading::GetExtensions(), "|");
   this->AddOutput("-o FILE" + extension, "the mesh", this->File).Missing =
     "no file to write; give -o FILE" + extension;
   vtkRelievoOption& folders = this->Add("--allow-folder DIR",
@@ -107,7 +107,7 @@ void Command::AddUpOption()
     ->Add("--up AXIS",
       "the axis that points up, " + vtkRelievoEither(axes) + " (by the first FILE)",
       [this, axes](const std::string& value) {
-        this->Up = static_cast<int>(scene::ParseChoice("--up", value, axes));
+        this->Up = static_cast<int>(words::ParseChoice("--up", value, axes));
       })
     .Words = axes;
 }
@@ -121,7 +121,7 @@ void Command::AddPartOption(const std::string& items)
         ", as one of several processes; relievo merge joins the parts. slurm takes K and N from "
         "the variables of a job array (all)",
       [this](const std::string& value) {
-        this->Part = scene::WorkPart::Parse("--part", value);
+        this->Part = dataset::WorkPart::Parse("--part", value);
         this->IsPart = true;
       })
     .Words = { "slurm" };
@@ -130,7 +130,7 @@ void Command::AddPartOption(const std::string& items)
 //------------------------------------------------------------------------------
 std::string Command::GetWords() const
 {
-  return scene::Join(this->Given, " ");
+  return words::Join(this->Given, " ");
 }
 
 //------------------------------------------------------------------------------
@@ -181,11 +181,11 @@ std::set<std::string> Command::Take(const std::vector<std::string>& words)
     }
   }
   std::set<std::string> given =
-    scene::TakeArguments(words, command, [this](const std::string& word) {
+    words::TakeArguments(words, command, [this](const std::string& word) {
       if (this->Rows.Use.empty())
       {
         const vtkRelievoOption& first = this->Rows.Options.front();
-        throw scene::UsageError(this->Rows.Name + ": got '" + word +
+        throw words::UsageError(this->Rows.Name + ": got '" + word +
           "', expected options; the file is given as " + first.GetUse());
       }
       this->Names.push_back(word);
@@ -199,15 +199,15 @@ void Command::TakeMeshes(const std::vector<std::string>& words)
   this->Take(words);
   if (this->Names.empty())
   {
-    throw scene::UsageError(this->Rows.Name + ": no FILE given");
+    throw words::UsageError(this->Rows.Name + ": no FILE given");
   }
   for (const std::string& file : this->Names)
   {
-    if (scene::IsModel(file))
+    if (reading::IsModel(file))
     {
-      throw scene::UsageError(file + ": a model, expected data, such as .vtp, .vtu, .obj or .stl");
+      throw words::UsageError(file + ": a model, expected data, such as .vtp, .vtu, .obj or .stl");
     }
-    scene::CheckExtension(file);
+    reading::CheckExtension(file);
   }
 }
 }

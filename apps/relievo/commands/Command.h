@@ -19,7 +19,7 @@ struct vtkRelievoParameterList;
 namespace cli
 {
 /// A command of `relievo`: its options, each described once, and its work. Errors are thrown as
-/// scene::UsageError or scene::WorkError.
+/// words::UsageError or words::WorkError.
 class Command
 {
 public:
@@ -81,8 +81,8 @@ protected:
   std::vector<std::string> AllowedFolders;
   std::string File; ///< value of -o
   int Up = -1;
-  scene::WorkPart Part; ///< value of --part
-  bool IsPart = false;  ///< whether it is given
+  dataset::WorkPart Part; ///< value of --part
+  bool IsPart = false;    ///< whether it is given
 
 private:
   std::vector<std::string> Given;              // options, as words

@@ -62,18 +62,18 @@ public:
     this->Add("--levels N",
       "tolerance for colours, and for shares such as shadows, in levels of 255, 0 to 255 (2)",
       [this](const std::string& value) {
-        this->Comparison->SetColorLevels(scene::ParseNumberFrom("--levels", value, 0.0, 255.0));
+        this->Comparison->SetColorLevels(words::ParseNumberFrom("--levels", value, 0.0, 255.0));
       });
     this->Add("--normal-angle DEG", "tolerance for normals, in degrees, 0 to 180 (0.02)",
       [this](const std::string& value) {
         this->Comparison->SetNormalAngle(
-          scene::ParseNumberFrom("--normal-angle", value, 0.0, 180.0));
+          words::ParseNumberFrom("--normal-angle", value, 0.0, 180.0));
       });
     this->Add("--depth-pixels P",
       "tolerance for depths, as the change of a surface's depth over P pixels, 0 to 1 (0.00390625, "
       "the step of OpenGL's grid)",
       [this](const std::string& value) {
-        this->Comparison->SetDepthPixels(scene::ParseNumberFrom("--depth-pixels", value, 0.0, 1.0));
+        this->Comparison->SetDepthPixels(words::ParseNumberFrom("--depth-pixels", value, 0.0, 1.0));
       });
     // Run() splits the words at --render; this entry serves the help.
     this->Add("--render FILE...",
@@ -100,17 +100,17 @@ public:
     this->Take(own);
     if (this->Names.size() != (draws ? 1 : 2))
     {
-      throw scene::UsageError("compare: got " + std::to_string(this->Names.size()) +
+      throw words::UsageError("compare: got " + std::to_string(this->Names.size()) +
         (this->Names.size() == 1 ? " file" : " files") + ", expected " +
         (draws ? "A alone before --render" : "A and B, or A --render FILE"));
     }
     const bool takesFolders = !draws && (IsFolder(this->Names[0]) || IsFolder(this->Names[1]));
     if (takesFolders && !(this->PNG[0].empty() && this->PNG[1].empty()))
     {
-      throw scene::UsageError("compare: --png-a and --png-b need two files, got folders");
+      throw words::UsageError("compare: --png-a and --png-b need two files, got folders");
     }
-    const scene::Messages::Scope scope;
-    scene::Outputs outputs;
+    const reading::Messages::Scope scope;
+    reading::Outputs outputs;
     for (const auto& [option, path] : { std::pair("--json", &this->JSON),
            std::pair("--png-a", &this->PNG[0]), std::pair("--png-b", &this->PNG[1]),
            std::pair("--html", &this->HTML), std::pair("--markdown", &this->Markdown) })
@@ -163,14 +163,15 @@ private:
       [&word](const vtkRelievoOption& option) { return option.Name == word; });
   }
 
-  static void Write(const scene::Outputs& outputs, const std::string& path, const std::string& text)
+  static void Write(
+    const reading::Outputs& outputs, const std::string& path, const std::string& text)
   {
     std::ofstream file(outputs.Temporary(path), std::ios::binary);
     file << text;
     file.close();
     if (!file)
     {
-      throw scene::WorkError(path + ": cannot be written; is the disk full?");
+      throw words::WorkError(path + ": cannot be written; is the disk full?");
     }
   }
 
@@ -181,7 +182,8 @@ private:
   }
 
   // Writes the picture of a frame unless the path is empty.
-  static void WritePNG(vtkImageData* frame, const std::string& path, const scene::Outputs& outputs)
+  static void WritePNG(
+    vtkImageData* frame, const std::string& path, const reading::Outputs& outputs)
   {
     if (path.empty())
     {
@@ -190,13 +192,13 @@ private:
     const vtkSmartPointer<vtkImageData> picture = scene::MakePicture(frame);
     if (!picture)
     {
-      throw scene::WorkError(path + ": cannot be written: the frame has layers but no picture");
+      throw words::WorkError(path + ": cannot be written: the frame has layers but no picture");
     }
     vtkNew<vtkPNGWriter> writer;
     writer->SetInputData(picture);
     writer->SetFileName(outputs.Temporary(path).c_str());
     writer->Write();
-    scene::Messages::Check(
+    reading::Messages::Check(
       path, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
   }
 
@@ -206,7 +208,7 @@ private:
     if (!done)
     {
       const std::string text = this->Comparison->GetFailureText();
-      throw scene::WorkError(before.empty() ? text : before + ": " + text);
+      throw words::WorkError(before.empty() ? text : before + ": " + text);
     }
   }
 
@@ -239,7 +241,7 @@ private:
       scene::GetRecorded(this->Comparison->GetBaseline(), path);
     if (!recorded)
     {
-      throw scene::UsageError(
+      throw words::UsageError(
         path + ": records no options, expected a file of `relievo render --baseline`");
     }
     scene::Settings settings = *recorded;
@@ -273,7 +275,7 @@ private:
          each.increment(error))
     {
       std::error_code unknown; // set for a broken link, which is skipped
-      const std::string extension = scene::ExtensionOf(each->path().string());
+      const std::string extension = reading::ExtensionOf(each->path().string());
       if (each->is_regular_file(unknown) && (extension == ".exr" || extension == ".png"))
       {
         // Not fs::relative(), which resolves links.
@@ -282,7 +284,7 @@ private:
     }
     if (error)
     {
-      throw scene::WorkError(folder + ": cannot be read: " + error.message());
+      throw words::WorkError(folder + ": cannot be read: " + error.message());
     }
     return names;
   }
@@ -303,7 +305,7 @@ private:
       }
       return alike;
     }
-    catch (const scene::WorkError& error)
+    catch (const words::WorkError& error)
     {
       this->HasFailed = true;
       entry["alike"] = false;
@@ -320,7 +322,7 @@ private:
     const std::string& b = this->Names[1];
     if (!IsFolder(a) || !IsFolder(b))
     {
-      throw scene::UsageError("compare: got a folder, " + (IsFolder(a) ? a : b) +
+      throw words::UsageError("compare: got a folder, " + (IsFolder(a) ? a : b) +
         ", and a file, expected two folders or two files");
     }
     const std::set<std::string> sides[2] = { ListPictures(a), ListPictures(b) };
@@ -328,7 +330,7 @@ private:
     all.insert(sides[1].begin(), sides[1].end());
     if (all.empty())
     {
-      throw scene::WorkError(a + ", " + b + ": contain no .exr or .png");
+      throw words::WorkError(a + ", " + b + ": contain no .exr or .png");
     }
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     std::size_t different = 0;

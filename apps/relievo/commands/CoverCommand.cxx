@@ -27,17 +27,17 @@ namespace
 {
 // The points of a file, with their vectors, or normals, as directions.
 vtkSmartPointer<vtkPolyData> ReadCandidates(
-  const std::string& file, const std::vector<std::string>& folders, scene::Progress& progress)
+  const std::string& file, const std::vector<std::string>& folders, reading::Progress& progress)
 {
-  scene::CheckReadable(file);
-  scene::CheckExtension(file);
-  scene::ReadContext context(progress, folders);
+  reading::CheckReadable(file);
+  reading::CheckExtension(file);
+  reading::ReadContext context(progress, folders);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkDoubleArray> directions;
   directions->SetName("directions");
   directions->SetNumberOfComponents(3);
-  scene::ForEachDataSet(scene::ReadPoints(file, context), [&](vtkDataSet* data) {
+  reading::ForEachDataSet(reading::ReadPoints(file, context), [&](vtkDataSet* data) {
     vtkPointData* arrays = data->GetPointData();
     vtkDataArray* given = arrays->GetVectors() ? arrays->GetVectors() : arrays->GetNormals();
     for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
@@ -82,8 +82,8 @@ public:
   int Run(const std::vector<std::string>& words) override
   {
     this->TakeMeshes(words);
-    const scene::Messages::Scope scope;
-    scene::Outputs outputs;
+    const reading::Messages::Scope scope;
+    reading::Outputs outputs;
     std::vector<std::string> inputs = this->Names;
     inputs.push_back(this->Candidates);
     outputs.Add("-o", this->File, inputs);
@@ -91,14 +91,14 @@ public:
     {
       outputs.Add("--chosen", this->Chosen, inputs);
     }
-    scene::Progress progress;
+    reading::Progress progress;
     ReadMeshes(this->Names, this->AllowedFolders, this->Cover, progress);
     this->Cover->SetInputDataObject(
       2, ReadCandidates(this->Candidates, this->AllowedFolders, progress));
     progress.Begin("following rays");
     progress.Observe(this->Cover);
     this->Cover->Update();
-    scene::Messages::Check("cover");
+    reading::Messages::Check("cover");
     WriteMesh(this->Cover->GetOutput(), "-o", this->File, outputs, progress);
     if (!this->Chosen.empty())
     {

@@ -101,7 +101,7 @@ public:
       "or a FILE.json, a list of {\"R\", \"t\"} or {\"position\", \"target\"}, or a "
       "transforms.json",
       [this](const std::string& value) {
-        scene::CheckDatasetPoses("--poses", value);
+        dataset::CheckDatasetPoses("--poses", value);
         this->Poses = value;
       });
     poses.Missing = "no cameras; give --poses orbit:N, random:N or FILE.json";
@@ -122,7 +122,7 @@ public:
       ->Add("--objects KIND",
         "kind of objects: file, actor (a material or a part of a file) or block (file)",
         [this, kinds](const std::string& value) {
-          this->Objects = static_cast<DatasetParts>(scene::ParseChoice("--objects", value, kinds));
+          this->Objects = static_cast<DatasetParts>(words::ParseChoice("--objects", value, kinds));
         })
       .Words = kinds;
     this->AddParameters(this->Writer->GetParameters(),
@@ -167,7 +167,7 @@ public:
   int Run(const std::vector<std::string>& words) override
   {
     this->TakeAll(words);
-    const scene::Messages::Scope scope;
+    const reading::Messages::Scope scope;
     vtkRelievoScene* scene = GetScene();
     SetWords(scene, this->Scene);
     {
@@ -181,11 +181,11 @@ public:
     writer->SetUpAxis(scene->GetUpAxis());
     writer->SetRange(this->Range[0], this->Range[1]);
     writer->SetPart(this->Part.Number, this->Part.Count);
-    writer->SetDescription(scene::Join(this->Words, " "));
+    writer->SetDescription(words::Join(this->Words, " "));
     NameObjects(writer, scene, this->Objects);
     this->AddViews();
     {
-      scene::Progress progress;
+      reading::Progress progress;
       progress.Begin("writing " + this->Folder);
       progress.Observe(writer);
       const bool done = writer->Write();
@@ -208,11 +208,11 @@ public:
 private:
   void TakeLayers(const std::string& value)
   {
-    for (const std::string& layer : scene::SplitEscaped(value, ','))
+    for (const std::string& layer : words::SplitEscaped(value, ','))
     {
       if (layer.empty())
       {
-        scene::RefuseValue("--layers", value, "names between commas, such as depth,normal");
+        words::RefuseValue("--layers", value, "names between commas, such as depth,normal");
       }
       this->Writer->AddLayer(layer);
     }
@@ -221,19 +221,19 @@ private:
   void TakeRange(const std::string& value)
   {
     const std::string name = "--views";
-    const std::vector<std::string> parts = scene::Split(value, ':');
+    const std::vector<std::string> parts = words::Split(value, ':');
     if (parts.size() != 2)
     {
-      scene::RefuseValue(name, value, "A:B, from view A to before view B");
+      words::RefuseValue(name, value, "A:B, from view A to before view B");
     }
     for (std::size_t i = 0; i < 2; ++i)
     {
       this->Range[i] =
-        scene::ParseWhole(name + " " + value, parts[i], 0, std::numeric_limits<int>::max());
+        words::ParseWhole(name + " " + value, parts[i], 0, std::numeric_limits<int>::max());
     }
     if (this->Range[0] >= this->Range[1])
     {
-      scene::RefuseValue(name, value, "the first view to be before the end");
+      words::RefuseValue(name, value, "the first view to be before the end");
     }
   }
 
@@ -244,7 +244,7 @@ private:
       const std::string name = word.substr(0, word.find('='));
       if (IsOfRender(name))
       {
-        throw scene::UsageError(name +
+        throw words::UsageError(name +
           ": is an option of relievo render; for a data set, --poses sets the cameras, and "
           "--format and --out the output");
       }
@@ -256,7 +256,7 @@ private:
     this->Take(words);
     if (this->Names.empty())
     {
-      throw scene::UsageError("dataset: no FILE given");
+      throw words::UsageError("dataset: no FILE given");
     }
     this->Scene.emplace_back("--");
     for (std::vector<std::string>* to : { &this->Scene, &this->Words })
@@ -276,7 +276,7 @@ private:
     const int views = writer->GetNumberOfViews();
     if (this->Range[1] > views)
     {
-      scene::RefuseValue("--views",
+      words::RefuseValue("--views",
         std::to_string(this->Range[0]) + ":" + std::to_string(this->Range[1]),
         "views from 0 to " + std::to_string(views) + ": there are " + std::to_string(views));
     }

@@ -38,7 +38,7 @@ public:
     this->Take(words);
     if (this->Names.size() != 1)
     {
-      throw scene::UsageError(
+      throw words::UsageError(
         this->Rows.Name + ": got " + std::to_string(this->Names.size()) + " folders, expected one");
     }
     std::string folder = this->Names.front();
@@ -52,28 +52,30 @@ public:
       folder =
         std::filesystem::weakly_canonical(folder, trouble).string(); // of "." and "x.parts/."
     }
-    const bool isDataset = std::filesystem::exists(folder + "/" + scene::DatasetSettings, trouble);
+    const bool isDataset =
+      std::filesystem::exists(folder + "/" + dataset::DatasetSettings, trouble);
     if (!isDataset && !std::filesystem::exists(folder + "/" + MeshParts::Settings, trouble))
     {
-      throw scene::UsageError(folder + ": has neither " + scene::DatasetSettings + " nor " +
+      throw words::UsageError(folder + ": has neither " + dataset::DatasetSettings + " nor " +
         MeshParts::Settings + "; expected a folder that relievo dataset, sun or visible has begun");
     }
     if (!isDataset && std::filesystem::path(folder).extension() != MeshParts::GetFolder(""))
     {
-      throw scene::UsageError(folder + ": expected a folder FILE" + MeshParts::GetFolder("") +
+      throw words::UsageError(folder + ": expected a folder FILE" + MeshParts::GetFolder("") +
         ", whose name says which FILE merge writes");
     }
-    const scene::Messages::Scope scope;
+    const reading::Messages::Scope scope;
     if (this->Kind == Merge)
     {
       return MergeParts(folder, isDataset);
     }
-    const auto check = this->Kind == Status ? scene::WorkCheck::Records : scene::WorkCheck::Files;
-    const scene::WorkState state =
-      isDataset ? scene::VerifyDataset(folder, check) : MeshParts(folder).Verify(check);
+    const auto check =
+      this->Kind == Status ? dataset::WorkCheck::Records : dataset::WorkCheck::Files;
+    const dataset::WorkState state =
+      isDataset ? dataset::VerifyDataset(folder, check) : MeshParts(folder).Verify(check);
     if (this->Kind == Status)
     {
-      std::fputs(scene::PartProgress::GetText(folder).c_str(), stdout);
+      std::fputs(dataset::PartProgress::GetText(folder).c_str(), stdout);
     }
     std::fputs(state.GetText(folder).c_str(), stdout);
     constexpr int different = 3; // as of relievo compare
@@ -83,10 +85,10 @@ public:
 private:
   static int MergeParts(const std::string& folder, bool isDataset)
   {
-    scene::Progress progress;
+    reading::Progress progress;
     if (isDataset)
     {
-      scene::MergeDataset(folder);
+      dataset::MergeDataset(folder);
       std::printf("%s: its indices are written\n", folder.c_str());
     }
     else

@@ -22,7 +22,7 @@ public:
 
   int Run(const std::vector<std::string>& words) override
   {
-    const scene::Messages::Scope scope;
+    const reading::Messages::Scope scope;
     vtkRelievoScene* scene = GetScene();
     SetWords(scene, words);
     {

@@ -23,7 +23,7 @@ public:
   {
     if (!words.empty())
     {
-      throw scene::UsageError("stages: got '" + words.front() + "', expected nothing after it");
+      throw words::UsageError("stages: got '" + words.front() + "', expected nothing after it");
     }
     std::fputs(scene::DescribeStages().c_str(), stdout);
     return 0;

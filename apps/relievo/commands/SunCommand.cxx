@@ -56,10 +56,10 @@ public:
   int Run(const std::vector<std::string>& words) override
   {
     this->TakeMeshes(words);
-    const scene::Messages::Scope scope;
-    scene::Outputs outputs;
+    const reading::Messages::Scope scope;
+    reading::Outputs outputs;
     outputs.Add("-o", this->File, this->Names);
-    scene::Progress progress;
+    reading::Progress progress;
     MeshParts parts(MeshParts::GetFolder(this->File));
     const int up = ReadMeshes(this->Names, this->AllowedFolders, this->Sun, progress);
     this->Sun->SetUpAxis(this->Up < 0 ? up : this->Up);
@@ -70,7 +70,7 @@ public:
     progress.Begin("following the sun");
     progress.Observe(this->Sun);
     this->Sun->Update();
-    scene::Messages::Check("sun");
+    reading::Messages::Check("sun");
     if (this->IsPart)
     {
       parts.End(this->Sun, this->Part, progress);
@@ -93,10 +93,10 @@ private:
   void TakePlace(const std::string& value)
   {
     const std::vector<double> place =
-      scene::ParseNumbers("--place", value, 2, "LATITUDE,LONGITUDE");
+      words::ParseNumbers("--place", value, 2, "LATITUDE,LONGITUDE");
     if (std::abs(place[0]) > 90. || std::abs(place[1]) > 180.)
     {
-      scene::RefuseValue(
+      words::RefuseValue(
         "--place", value, "a latitude from -90 to 90, a longitude from -180 to 180");
     }
     this->Sun->SetLatitude(place[0]);
@@ -106,7 +106,7 @@ private:
   void TakeDates(const std::string& value)
   {
     static const std::regex form("([0-9]{4})-([0-9]{2})-([0-9]{2})");
-    const std::vector<std::string> parts = scene::Split(value, ':');
+    const std::vector<std::string> parts = words::Split(value, ':');
     int days[2][3] = {}; // first and last
     for (std::size_t i = 0; i < 2; ++i)
     {
@@ -114,7 +114,7 @@ private:
       std::smatch numbers;
       if (parts.size() > 3 || !std::regex_match(day, numbers, form))
       {
-        scene::RefuseValue(
+        words::RefuseValue(
           "--dates", value, "FIRST[:LAST[:EVERY]], such as 2026-06-21 or 2026-01-01:2026-12-31:7");
       }
       for (std::size_t k = 0; k < 3; ++k)
@@ -125,13 +125,13 @@ private:
     const std::string wrong = vtkRelievoSunExposure::CheckDays(days[0], days[1]);
     if (!wrong.empty())
     {
-      throw scene::UsageError("--dates " + value + ": " + wrong);
+      throw words::UsageError("--dates " + value + ": " + wrong);
     }
     this->Sun->SetFirstDay(days[0]);
     this->Sun->SetLastDay(days[1]);
     if (parts.size() == 3)
     {
-      this->Sun->SetDayStep(scene::ParseWhole("--dates " + value, parts[2], 1, 366));
+      this->Sun->SetDayStep(words::ParseWhole("--dates " + value, parts[2], 1, 366));
     }
   }
 

@@ -39,7 +39,7 @@ public:
   {
     vtkRelievoOption& poses = this->Add("--poses POSES",
       "cameras, as in dataset: orbit:N, random:N or a FILE.json", [this](const std::string& value) {
-        scene::CheckDatasetPoses("--poses", value);
+        dataset::CheckDatasetPoses("--poses", value);
         this->Poses = value;
       });
     poses.Missing = "no cameras; give --poses orbit:N, random:N or FILE.json";
@@ -52,11 +52,11 @@ public:
     this->AddOfRender("--size", "pixels of each camera (1024x768)");
     this->AddOfRender("--view-angle", "full vertical angle of each camera (30)");
     this->AddOfRender("--lens",
-      scene::Join(vtkRelievoCalibration::GetNames(), ", ") +
+      words::Join(vtkRelievoCalibration::GetNames(), ", ") +
         "; or a file, as in render; orthographic with its PIXELS (pinhole)");
     this->AddPartOption("cells");
     this->Add("--seed N", "seed of random poses (0)", [this](const std::string& value) {
-      this->Seed = scene::ParseWhole(
+      this->Seed = words::ParseWhole(
         "--seed", value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
     });
   }
@@ -66,8 +66,8 @@ public:
     this->TakeMeshes(words);
     this->Render = scene::ParseOptions(this->OfCameras);
     scene::CheckLensScale(this->Render);
-    const scene::Messages::Scope scope;
-    scene::Outputs outputs;
+    const reading::Messages::Scope scope;
+    reading::Outputs outputs;
     outputs.Add("-o", this->File, this->Names);
     if (!this->Cloud.empty())
     {
@@ -75,10 +75,10 @@ public:
     }
     if (this->IsPart && !this->Cloud.empty())
     {
-      throw scene::UsageError(
+      throw words::UsageError(
         "--cloud: got a part of the cells, expected no --part: the points belong to pixels");
     }
-    scene::Progress progress;
+    reading::Progress progress;
     MeshParts parts(MeshParts::GetFolder(this->File));
     vtkNew<vtkRelievoVisibility> visibility;
     const int up = ReadMeshes(this->Names, this->AllowedFolders, visibility, progress);
@@ -92,7 +92,7 @@ public:
     progress.Begin("following rays");
     progress.Observe(visibility);
     visibility->Update();
-    scene::Messages::Check("visible");
+    reading::Messages::Check("visible");
     if (this->IsPart)
     {
       parts.End(visibility, this->Part, progress);
@@ -136,19 +136,19 @@ private:
     std::string words = this->GetWords();
     for (int i = 0; i < visibility->GetNumberOfCameras(); ++i)
     {
-      words += " " + scene::DescribeDatasetCamera(visibility->GetCamera(i)).dump();
+      words += " " + dataset::DescribeDatasetCamera(visibility->GetCamera(i)).dump();
     }
-    return scene::FileHash::Of(words);
+    return dataset::FileHash::Of(words);
   }
 
   void AddCameras(int up, vtkRelievoVisibility* visibility) const
   {
     const auto like = scene::MakeSensor(this->Render);
-    scene::DatasetSurroundings around;
+    dataset::DatasetSurroundings around;
     around.Box = vtkBoundingBox(vtkPolyData::SafeDownCast(visibility->GetInput())->GetBounds());
     around.UpAxis = up;
     around.Seed = this->Seed;
-    for (const auto& camera : scene::MakeDatasetPoses("--poses", this->Poses, like, around))
+    for (const auto& camera : dataset::MakeDatasetPoses("--poses", this->Poses, like, around))
     {
       visibility->AddCamera(camera);
     }

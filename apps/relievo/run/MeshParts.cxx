@@ -56,7 +56,7 @@ vtkIdType GetLength(vtkPolyData* mesh, const std::string& kind)
 }
 
 // A mesh's shape: its points, cells and normals, not its other arrays.
-void AddMesh(scene::FileHash& hash, vtkPolyData* mesh)
+void AddMesh(dataset::FileHash& hash, vtkPolyData* mesh)
 {
   const auto add = [&hash](const std::vector<double>& values) {
     hash.Add(values.data(), values.size() * sizeof(double));
@@ -86,14 +86,14 @@ void AddMesh(scene::FileHash& hash, vtkPolyData* mesh)
 
 // The share of an array of an output: of so many tuples, the first and the one after the last.
 std::array<std::int64_t, 2> GetShare(
-  const scene::WorkPart& part, vtkPolyData* mesh, const std::string& kind, vtkDataArray* array)
+  const dataset::WorkPart& part, vtkPolyData* mesh, const std::string& kind, vtkDataArray* array)
 {
   return kind == Kinds[2] ? std::array<std::int64_t, 2>{ 0, array->GetNumberOfTuples() }
                           : part.GetRange(GetLength(mesh, kind));
 }
 
 // Whether a record describes arrays of a part.
-bool IsRecord(const Json& record, const scene::WorkPart& part)
+bool IsRecord(const Json& record, const dataset::WorkPart& part)
 {
   const auto isNumber = [](const Json& json, const char* name) {
     return json.contains(name) && json[name].is_number_unsigned();
@@ -127,7 +127,7 @@ MeshParts::MeshParts(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-std::string MeshParts::GetPath(const scene::WorkPart& part, const char* extension) const
+std::string MeshParts::GetPath(const dataset::WorkPart& part, const char* extension) const
 {
   return this->Folder + "/" + part.GetStem() + extension;
 }
@@ -140,9 +140,9 @@ std::string MeshParts::GetFile() const
 
 //------------------------------------------------------------------------------
 bool MeshParts::Begin(const std::string& command, const std::string& words,
-  vtkRelievoSightAlgorithm* filter, const scene::WorkPart& part)
+  vtkRelievoSightAlgorithm* filter, const dataset::WorkPart& part)
 {
-  scene::FileHash hash;
+  dataset::FileHash hash;
   for (int port = 0; port < 2; ++port)
   {
     for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
@@ -150,7 +150,7 @@ bool MeshParts::Begin(const std::string& command, const std::string& words,
       AddMesh(hash, vtkPolyData::SafeDownCast(filter->GetInputDataObject(port, i)));
     }
   }
-  this->Hash = scene::OpenWorkFolder(this->Folder, Settings,
+  this->Hash = dataset::OpenWorkFolder(this->Folder, Settings,
     { { "version", RELIEVO_VERSION }, { "command", command }, { "words", words },
       { "meshes", hash.Finish() }, { "parts", part.Count } });
   if (this->Has(part))
@@ -159,7 +159,7 @@ bool MeshParts::Begin(const std::string& command, const std::string& words,
     return false;
   }
   filter->SetPart(part.Number, part.Count);
-  this->Shown = std::make_unique<scene::PartProgress>(this->Folder, part, "%");
+  this->Shown = std::make_unique<dataset::PartProgress>(this->Folder, part, "%");
   filter->AddObserver(vtkCommand::ProgressEvent, this, &MeshParts::TakeProgress);
   return true;
 }
@@ -172,8 +172,8 @@ void MeshParts::TakeProgress(vtkObject*, unsigned long, void* share)
 }
 
 //------------------------------------------------------------------------------
-void MeshParts::End(
-  vtkRelievoSightAlgorithm* filter, const scene::WorkPart& part, scene::Progress& progress) const
+void MeshParts::End(vtkRelievoSightAlgorithm* filter, const dataset::WorkPart& part,
+  reading::Progress& progress) const
 {
   this->Write(part, vtkPolyData::SafeDownCast(filter->GetInput()), filter->GetOutput(), progress);
   progress.End();
@@ -182,7 +182,7 @@ void MeshParts::End(
 }
 
 //------------------------------------------------------------------------------
-bool MeshParts::Has(const scene::WorkPart& part) const
+bool MeshParts::Has(const dataset::WorkPart& part) const
 {
   const std::string path = this->GetPath(part, ".json");
   std::error_code trouble;
@@ -190,14 +190,14 @@ bool MeshParts::Has(const scene::WorkPart& part) const
   {
     return false;
   }
-  const Json record = Json::parse(scene::ReadWhole(path), nullptr, false);
+  const Json record = Json::parse(dataset::ReadWhole(path), nullptr, false);
   return IsRecord(record, part) && record.value("settings", Json()) == this->Hash &&
-    scene::FindDamage(this->Folder, record).empty();
+    dataset::FindDamage(this->Folder, record).empty();
 }
 
 //------------------------------------------------------------------------------
-void MeshParts::Write(const scene::WorkPart& part, vtkPolyData* mesh, vtkPolyData* result,
-  scene::Progress& progress) const
+void MeshParts::Write(const dataset::WorkPart& part, vtkPolyData* mesh, vtkPolyData* result,
+  reading::Progress& progress) const
 {
   Json record = { { "part", part.Number }, { "of", part.Count }, { "version", RELIEVO_VERSION },
     { "settings", this->Hash }, { "arrays", Json::array() }, { "active", Json::object() } };
@@ -235,37 +235,37 @@ void MeshParts::Write(const scene::WorkPart& part, vtkPolyData* mesh, vtkPolyDat
     }
   }
   const std::string values = part.GetStem() + ".bin";
-  scene::WriteWhole(this->Folder + "/" + values, bytes);
-  record["files"][values] = scene::FileHash::Of(bytes);
+  dataset::WriteWhole(this->Folder + "/" + values, bytes);
+  record["files"][values] = dataset::FileHash::Of(bytes);
   if (part.Number == 1)
   {
     const std::string path = this->Folder + "/" + MeshFile;
-    scene::Outputs outputs;
+    reading::Outputs outputs;
     outputs.Add("-o", path, {});
     WriteMesh(mesh, "-o", path, outputs, progress);
     outputs.Commit();
-    record["files"][MeshFile] = scene::FileHash::OfFile(path);
+    record["files"][MeshFile] = dataset::FileHash::OfFile(path);
   }
-  scene::CheckSettings(this->Folder, Settings, this->Hash);
-  scene::WriteWhole(this->GetPath(part, ".json"), scene::WriteDatasetJson(record));
+  dataset::CheckSettings(this->Folder, Settings, this->Hash);
+  dataset::WriteWhole(this->GetPath(part, ".json"), dataset::WriteDatasetJson(record));
 }
 
 //------------------------------------------------------------------------------
-scene::WorkState MeshParts::Verify(scene::WorkCheck check) const
+dataset::WorkState MeshParts::Verify(dataset::WorkCheck check) const
 {
   const std::string path = this->Folder + "/" + Settings;
-  const Json settings = scene::ReadWorkJson(path);
+  const Json settings = dataset::ReadWorkJson(path);
   if (!settings.is_object() || !settings.contains("parts") ||
     !settings["parts"].is_number_unsigned() || settings["parts"] < 1 ||
     settings["parts"] > std::numeric_limits<int>::max())
   {
-    throw scene::FileError(path + ": has no valid number of parts");
+    throw words::FileError(path + ": has no valid number of parts");
   }
-  const std::string hash = scene::FileHash::OfFile(path);
-  scene::WorkState state;
+  const std::string hash = dataset::FileHash::OfFile(path);
+  dataset::WorkState state;
   state.Items = "parts";
   state.All = settings["parts"].get<std::size_t>();
-  scene::WorkPart part;
+  dataset::WorkPart part;
   part.Count = static_cast<int>(state.All);
   for (part.Number = 1; part.Number <= part.Count; ++part.Number)
   {
@@ -277,9 +277,9 @@ scene::WorkState MeshParts::Verify(scene::WorkCheck check) const
       state.Missing.push_back(name);
       continue;
     }
-    const Json record = Json::parse(scene::ReadWhole(file), nullptr, false);
+    const Json record = Json::parse(dataset::ReadWhole(file), nullptr, false);
     const std::string damage = !IsRecord(record, part) ? "its record"
-      : check == scene::WorkCheck::Files               ? scene::FindDamage(this->Folder, record)
+      : check == dataset::WorkCheck::Files             ? dataset::FindDamage(this->Folder, record)
                                                        : "";
     if (!damage.empty())
     {
@@ -291,7 +291,7 @@ scene::WorkState MeshParts::Verify(scene::WorkCheck check) const
       state.Foreign.push_back(name);
     }
   }
-  if (check == scene::WorkCheck::Records)
+  if (check == dataset::WorkCheck::Records)
   {
     return state;
   }
@@ -300,8 +300,8 @@ scene::WorkState MeshParts::Verify(scene::WorkCheck check) const
   std::error_code trouble;
   const bool exists = fs::exists(file, trouble);
   if (!exists || !fs::exists(merged, trouble) ||
-    Json::parse(scene::ReadWhole(merged), nullptr, false) !=
-      Json({ { "hash", scene::FileHash::OfFile(file) } }))
+    Json::parse(dataset::ReadWhole(merged), nullptr, false) !=
+      Json({ { "hash", dataset::FileHash::OfFile(file) } }))
   {
     state.Result = file + (exists ? " is not that of these parts" : " is missing") +
       ": relievo merge " + this->Folder + " writes it";
@@ -310,19 +310,19 @@ scene::WorkState MeshParts::Verify(scene::WorkCheck check) const
 }
 
 //------------------------------------------------------------------------------
-std::string MeshParts::Merge(scene::Progress& progress) const
+std::string MeshParts::Merge(reading::Progress& progress) const
 {
-  scene::WorkState state = this->Verify(scene::WorkCheck::Files);
+  dataset::WorkState state = this->Verify(dataset::WorkCheck::Files);
   state.Result.clear();
   if (!state.IsWhole())
   {
-    throw scene::WorkError(state.GetText(this->Folder) + "run these parts, then merge");
+    throw words::WorkError(state.GetText(this->Folder) + "run these parts, then merge");
   }
   const std::string file = this->GetFile();
-  scene::Outputs outputs;
+  reading::Outputs outputs;
   outputs.Add("-o", file, {});
   const vtkSmartPointer<vtkPolyData> mesh = ReadMesh(this->Folder + "/" + MeshFile, {}, progress);
-  scene::WorkPart part;
+  dataset::WorkPart part;
   part.Count = static_cast<int>(state.All);
   // Arrays of all parts; the arrays of fields are equal in all of them.
   std::map<std::pair<std::string, std::string>, vtkSmartPointer<vtkDataArray>> arrays;
@@ -330,13 +330,13 @@ std::string MeshParts::Merge(scene::Progress& progress) const
   for (part.Number = 1; part.Number <= part.Count; ++part.Number)
   {
     const std::string path = this->GetPath(part, ".bin");
-    const Json record = scene::ReadWorkJson(this->GetPath(part, ".json"));
+    const Json record = dataset::ReadWorkJson(this->GetPath(part, ".json"));
     std::string bytes;
     const std::string wrong =
       vtkRelievoFileKind::ReadWhole(path, std::numeric_limits<std::size_t>::max(), bytes);
     if (!wrong.empty())
     {
-      throw scene::FileError(path + ": " + wrong);
+      throw words::FileError(path + ": " + wrong);
     }
     std::size_t at = 0;
     for (const Json& description : record["arrays"])
@@ -349,7 +349,7 @@ std::string MeshParts::Merge(scene::Progress& progress) const
       const std::size_t size = static_cast<std::size_t>(components) *
         static_cast<std::size_t>(vtkDataArray::GetDataTypeSize(type));
       const auto refuse = [&] {
-        throw scene::FileError(
+        throw words::FileError(
           path + ": its values do not fit the mesh; remove " + this->Folder + " and begin anew");
       };
       if (static_cast<std::size_t>(tuples) > (bytes.size() - at) / size)
@@ -389,9 +389,9 @@ std::string MeshParts::Merge(scene::Progress& progress) const
   }
   WriteMesh(mesh, "-o", file, outputs, progress);
   outputs.Commit();
-  scene::WriteWhole(this->Folder + "/" + MergedFile,
-    scene::WriteDatasetJson({ { "hash", scene::FileHash::OfFile(file) } }));
-  scene::PartProgress::Remove(this->Folder);
+  dataset::WriteWhole(this->Folder + "/" + MergedFile,
+    dataset::WriteDatasetJson({ { "hash", dataset::FileHash::OfFile(file) } }));
+  dataset::PartProgress::Remove(this->Folder);
   return file;
 }
 }

@@ -17,7 +17,7 @@ class vtkObject;
 class vtkPolyData;
 class vtkRelievoSightAlgorithm;
 
-namespace scene
+namespace reading
 {
 class Progress;
 }
@@ -36,38 +36,38 @@ public:
   /// these words and the filter's meshes; otherwise throws UsageError. False, with a line for the
   /// user, if the part is complete.
   bool Begin(const std::string& command, const std::string& words, vtkRelievoSightAlgorithm* filter,
-    const scene::WorkPart& part);
+    const dataset::WorkPart& part);
 
   /// Writes the part that the filter has computed. Throws FileError.
-  void End(
-    vtkRelievoSightAlgorithm* filter, const scene::WorkPart& part, scene::Progress& progress) const;
+  void End(vtkRelievoSightAlgorithm* filter, const dataset::WorkPart& part,
+    reading::Progress& progress) const;
 
   /// The complete and the missing parts. Throws FileError.
-  scene::WorkState Verify(scene::WorkCheck check) const;
+  dataset::WorkState Verify(dataset::WorkCheck check) const;
 
   /// Joins all parts to the mesh's file, beside the folder, and returns its path. Throws WorkError
   /// if parts are missing or damaged.
-  std::string Merge(scene::Progress& progress) const;
+  std::string Merge(reading::Progress& progress) const;
 
   /// The file of a folder's settings.
   static constexpr const char* Settings = "parts.json";
 
 private:
   std::string GetFile() const; // the result
-  std::string GetPath(const scene::WorkPart& part, const char* extension) const;
+  std::string GetPath(const dataset::WorkPart& part, const char* extension) const;
 
-  bool Has(const scene::WorkPart& part) const; // complete
+  bool Has(const dataset::WorkPart& part) const; // complete
 
   // Writes a share of the arrays that `result` has and `mesh` does not; the first part also writes
   // the mesh.
-  void Write(const scene::WorkPart& part, vtkPolyData* mesh, vtkPolyData* result,
-    scene::Progress& progress) const;
+  void Write(const dataset::WorkPart& part, vtkPolyData* mesh, vtkPolyData* result,
+    reading::Progress& progress) const;
 
   void TakeProgress(vtkObject*, unsigned long, void* share);
 
   std::string Folder;
   std::string Hash; // of the settings
-  std::unique_ptr<scene::PartProgress> Shown;
+  std::unique_ptr<dataset::PartProgress> Shown;
 };
 }
 

@@ -18,7 +18,7 @@ namespace
 {
 void Print(const char* before, const std::string& line)
 {
-  std::fprintf(scene::StandardError(), "relievo: %s%s\n", before, line.c_str());
+  std::fprintf(reading::StandardError(), "relievo: %s%s\n", before, line.c_str());
 }
 
 void Print(const char* before, vtkStringArray* lines)
@@ -72,11 +72,11 @@ void CheckDone(bool done, int failure, const std::string& text)
 {
   if (!done && failure == vtkRelievoScene::USAGE_FAILURE)
   {
-    throw scene::UsageError(text);
+    throw words::UsageError(text);
   }
   if (!done)
   {
-    throw scene::WorkError(text);
+    throw words::WorkError(text);
   }
 }
 
@@ -102,7 +102,7 @@ void PrintMessages(vtkRelievoScene* scene)
 //------------------------------------------------------------------------------
 void PrintWarnings()
 {
-  for (const std::string& warning : scene::Messages::TakeWarnings())
+  for (const std::string& warning : reading::Messages::TakeWarnings())
   {
     Print("warning: ", warning);
   }

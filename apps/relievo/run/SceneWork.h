@@ -30,7 +30,7 @@ private:
   vtkRelievoScene* Scene;
   unsigned long Observer;
   std::string What;
-  scene::Progress Shown;
+  reading::Progress Shown;
 };
 
 /// The command's scene, which lives until the process ends: VTK takes down the buffers of many

@@ -26,11 +26,11 @@ namespace cli
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& file, scene::ReadContext& context)
+vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& file, reading::ReadContext& context)
 {
-  scene::CheckReadable(file);
+  reading::CheckReadable(file);
   vtkNew<vtkAppendPolyData> all;
-  scene::ForEachDataSet(scene::ReadSurface(file, false, false, context),
+  reading::ForEachDataSet(reading::ReadSurface(file, false, false, context),
     [&all](vtkDataSet* data) { all->AddInputData(vtkPolyData::SafeDownCast(data)); });
   if (all->GetNumberOfInputConnections(0) > 0)
   {
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& file, scene::ReadContex
   vtkPolyData* mesh = all->GetOutput();
   if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
   {
-    throw scene::WorkError(file + ": it has no surface");
+    throw words::WorkError(file + ": it has no surface");
   }
   return mesh;
 }
@@ -47,28 +47,28 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& file, scene::ReadContex
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> ReadMesh(
-  const std::string& file, const std::vector<std::string>& folders, scene::Progress& progress)
+  const std::string& file, const std::vector<std::string>& folders, reading::Progress& progress)
 {
-  scene::ReadContext context(progress, folders);
+  reading::ReadContext context(progress, folders);
   return ReadMesh(file, context);
 }
 
 //------------------------------------------------------------------------------
 int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::string>& folders,
-  vtkRelievoSightAlgorithm* filter, scene::Progress& progress)
+  vtkRelievoSightAlgorithm* filter, reading::Progress& progress)
 {
   for (const std::string& folder : folders)
   {
-    scene::CheckFolder(folder);
+    reading::CheckFolder(folder);
   }
-  scene::ReadContext context(progress, folders);
+  reading::ReadContext context(progress, folders);
   int up = 1;
   for (std::size_t i = 0; i < files.size(); ++i)
   {
     const vtkSmartPointer<vtkPolyData> mesh = ReadMesh(files[i], context);
     if (i == 0)
     {
-      up = scene::FindUpAxis(files[i], mesh->GetBounds());
+      up = reading::FindUpAxis(files[i], mesh->GetBounds());
     }
     filter->AddInputDataObject(i == 0 ? 0 : 1, mesh);
   }
@@ -77,7 +77,7 @@ int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::str
 
 //------------------------------------------------------------------------------
 void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& path,
-  const scene::Outputs& outputs, scene::Progress& progress)
+  const reading::Outputs& outputs, reading::Progress& progress)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(mesh);
@@ -89,12 +89,12 @@ void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& 
   progress.Begin("writing " + path);
   progress.Observe(writer);
   const bool made = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
-  scene::Messages::Check(
+  reading::Messages::Check(
     option + " " + path, !made, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
   std::ofstream file(outputs.Temporary(path), std::ios::binary);
   errno = 0;
   file << writer->GetOutputString();
   file.close();
-  scene::Messages::Check(option + " " + path, !file, std::strerror(errno));
+  reading::Messages::Check(option + " " + path, !file, std::strerror(errno));
 }
 }

@@ -15,7 +15,7 @@
 class vtkPolyData;
 class vtkRelievoSightAlgorithm;
 
-namespace scene
+namespace reading
 {
 class Outputs;
 class Progress;
@@ -26,15 +26,15 @@ namespace cli
 /// Passes the surfaces of the files to the filter; `folders`: allowed folders of referenced files,
 /// besides the files' own. Returns the up axis of the first file.
 int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::string>& folders,
-  vtkRelievoSightAlgorithm* filter, scene::Progress& progress);
+  vtkRelievoSightAlgorithm* filter, reading::Progress& progress);
 
 /// Reads the surface of a file.
 vtkSmartPointer<vtkPolyData> ReadMesh(
-  const std::string& file, const std::vector<std::string>& folders, scene::Progress& progress);
+  const std::string& file, const std::vector<std::string>& folders, reading::Progress& progress);
 
 /// Writes the mesh to its output's path.
 void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& path,
-  const scene::Outputs& outputs, scene::Progress& progress);
+  const reading::Outputs& outputs, reading::Progress& progress);
 }
 
 #endif

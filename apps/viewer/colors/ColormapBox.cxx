@@ -22,7 +22,7 @@ QIcon DrawMap(const std::string& map)
 {
   QPixmap strip(MapSize);
   QPainter painter(&strip);
-  const auto colors = scene::MakeColormap(map, { 0.0, 1.0 });
+  const auto colors = look::MakeColormap(map, { 0.0, 1.0 });
   for (int x = 0; x < MapSize.width(); ++x)
   {
     const double* rgb = colors->GetColor(static_cast<double>(x) / (MapSize.width() - 1));
@@ -40,7 +40,7 @@ ColormapBox::ColormapBox(QWidget* parent)
   this->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   this->setMinimumContentsLength(8);
   this->setIconSize(MapSize);
-  for (const std::string& name : scene::GetColormapNames())
+  for (const std::string& name : look::GetColormapNames())
   {
     this->addItem(DrawMap(name), QString::fromStdString(name));
   }

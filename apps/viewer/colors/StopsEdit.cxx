@@ -30,16 +30,16 @@ constexpr int Reach = 9; // of the mouse
 
 constexpr int StopDigits = 6;
 
-QColor MakeQColor(const scene::Color& color)
+QColor MakeQColor(const look::Color& color)
 {
   return QColor::fromRgbF(color[0], color[1], color[2]);
 }
 
 // The map's colour at a place.
-scene::Color GetColorAt(const std::vector<scene::ColorStop>& stops, double place)
+look::Color GetColorAt(const std::vector<look::ColorStop>& stops, double place)
 {
-  const auto map = scene::MakeColormap(scene::WriteStops(stops), { 0.0, 1.0 });
-  scene::Color color;
+  const auto map = look::MakeColormap(look::WriteStops(stops), { 0.0, 1.0 });
+  look::Color color;
   map->GetColor(place, color.data());
   return color;
 }
@@ -55,7 +55,7 @@ StopStrip::StopStrip(QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
-void StopStrip::Show(const std::vector<scene::ColorStop>& stops)
+void StopStrip::Show(const std::vector<look::ColorStop>& stops)
 {
   if (this->Held < 0)
   {
@@ -92,7 +92,7 @@ void StopStrip::paintEvent(QPaintEvent*)
     return;
   }
   QPainter painter(this);
-  const auto map = scene::MakeColormap(scene::WriteStops(this->Stops), { 0.0, 1.0 });
+  const auto map = look::MakeColormap(look::WriteStops(this->Stops), { 0.0, 1.0 });
   for (int x = HandleHalf; x < this->width() - HandleHalf; ++x)
   {
     const double* rgb = map->GetColor(this->GetPlace(x));
@@ -100,7 +100,7 @@ void StopStrip::paintEvent(QPaintEvent*)
   }
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(this->palette().color(QPalette::WindowText));
-  for (const scene::ColorStop& stop : this->Stops)
+  for (const look::ColorStop& stop : this->Stops)
   {
     const double x = this->GetX(stop.Place) + 0.5;
     painter.setBrush(MakeQColor(stop.Shown));
@@ -177,7 +177,7 @@ StopsEdit::StopsEdit(QWidget* parent)
   column->addWidget(add, 0, Qt::AlignLeft);
   QObject::connect(add, &QPushButton::clicked, this, &StopsEdit::Add);
   QObject::connect(this->Strip, &StopStrip::moved, this, [this](std::size_t stop, double place) {
-    std::vector<scene::ColorStop> stops = this->Stops;
+    std::vector<look::ColorStop> stops = this->Stops;
     if (stop < stops.size()) // the number may have decreased during the drag
     {
       stops[stop].Place = place;
@@ -185,7 +185,7 @@ StopsEdit::StopsEdit(QWidget* parent)
     }
   });
   QObject::connect(this->Strip, &StopStrip::addWanted, this, [this](double place) {
-    std::vector<scene::ColorStop> stops = this->Stops;
+    std::vector<look::ColorStop> stops = this->Stops;
     stops.push_back({ place, GetColorAt(this->Stops, place) });
     this->Tell(stops);
   });
@@ -217,7 +217,7 @@ double StopsEdit::GetPlace(double value) const
 }
 
 //------------------------------------------------------------------------------
-void StopsEdit::Show(const std::vector<scene::ColorStop>& stops,
+void StopsEdit::Show(const std::vector<look::ColorStop>& stops,
   const std::optional<std::array<double, 2>>& range, bool log)
 {
   this->Stops = stops;
@@ -270,12 +270,12 @@ void StopsEdit::AddRow(std::size_t stop)
   QObject::connect(value, &QLineEdit::editingFinished, this,
     [this, stop, value] { this->Take(stop, value->text()); });
   QObject::connect(color, &ColorButton::edited, this, [this, stop](const QColor& chosen) {
-    std::vector<scene::ColorStop> stops = this->Stops;
+    std::vector<look::ColorStop> stops = this->Stops;
     stops[stop].Shown = { chosen.redF(), chosen.greenF(), chosen.blueF() };
     this->Tell(stops);
   });
   QObject::connect(remove, &QToolButton::clicked, this, [this, stop] {
-    std::vector<scene::ColorStop> stops = this->Stops;
+    std::vector<look::ColorStop> stops = this->Stops;
     stops.erase(stops.begin() + static_cast<std::ptrdiff_t>(stop));
     this->Tell(stops);
   });
@@ -291,7 +291,7 @@ void StopsEdit::Take(std::size_t stop, const QString& value)
   }
   bool number = false;
   const double place = this->GetPlace(value.toDouble(&number));
-  std::vector<scene::ColorStop> stops = this->Stops;
+  std::vector<look::ColorStop> stops = this->Stops;
   if (number)
   {
     stops[stop].Place = std::clamp(place, 0.0, 1.0);
@@ -310,17 +310,17 @@ void StopsEdit::Add()
     widest = getGap(i) > getGap(widest) + 1e-9 ? i : widest;
   }
   const double place = this->Stops[widest].Place + 0.5 * getGap(widest);
-  std::vector<scene::ColorStop> stops = this->Stops;
+  std::vector<look::ColorStop> stops = this->Stops;
   stops.push_back({ place, GetColorAt(this->Stops, place) });
   this->Tell(stops);
 }
 
 //------------------------------------------------------------------------------
-void StopsEdit::Tell(std::vector<scene::ColorStop> stops)
+void StopsEdit::Tell(std::vector<look::ColorStop> stops)
 {
   std::stable_sort(stops.begin(), stops.end(),
-    [](const scene::ColorStop& a, const scene::ColorStop& b) { return a.Place < b.Place; });
-  for (scene::ColorStop& stop : stops)
+    [](const look::ColorStop& a, const look::ColorStop& b) { return a.Place < b.Place; });
+  for (look::ColorStop& stop : stops)
   {
     stop.Place = std::round(stop.Place * 1e6) / 1e6; // keeps the word short
   }

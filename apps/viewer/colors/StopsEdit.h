@@ -30,11 +30,11 @@ public:
 
   /// Sets at least two stops, sorted by place. Values refer to the range, logarithmically if `log`;
   /// without a range they are shares of it. Emits no signal.
-  void Show(const std::vector<scene::ColorStop>& stops,
+  void Show(const std::vector<look::ColorStop>& stops,
     const std::optional<std::array<double, 2>>& range, bool log);
 
 Q_SIGNALS:
-  void edited(const std::vector<scene::ColorStop>& stops);
+  void edited(const std::vector<look::ColorStop>& stops);
 
 private:
   void AddRow(std::size_t stop);
@@ -42,9 +42,9 @@ private:
   double GetPlace(double value) const;
   void Take(std::size_t stop, const QString& value);
   void Add();
-  void Tell(std::vector<scene::ColorStop> stops);
+  void Tell(std::vector<look::ColorStop> stops);
 
-  std::vector<scene::ColorStop> Stops;
+  std::vector<look::ColorStop> Stops;
   std::optional<std::array<double, 2>> Range;
   bool Log = false;
   StopStrip* Strip;
@@ -59,7 +59,7 @@ class StopStrip : public QWidget
 public:
   explicit StopStrip(QWidget* parent);
 
-  void Show(const std::vector<scene::ColorStop>& stops);
+  void Show(const std::vector<look::ColorStop>& stops);
   QSize sizeHint() const override;
 
 Q_SIGNALS:
@@ -77,7 +77,7 @@ private:
   double GetPlace(int x) const;
   int GetX(double place) const;
 
-  std::vector<scene::ColorStop> Stops;
+  std::vector<look::ColorStop> Stops;
   int Held = -1;
   bool Moved = false;
 };

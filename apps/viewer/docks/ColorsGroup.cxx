@@ -36,10 +36,10 @@ constexpr int MostSteps = 256;
 constexpr int NamedStops = 5; // first number of stops for a named map
 
 // In reverse order.
-std::vector<scene::ColorStop> TurnRound(std::vector<scene::ColorStop> stops)
+std::vector<look::ColorStop> TurnRound(std::vector<look::ColorStop> stops)
 {
   std::reverse(stops.begin(), stops.end());
-  for (scene::ColorStop& stop : stops)
+  for (look::ColorStop& stop : stops)
   {
     stop.Place = 1.0 - stop.Place;
   }
@@ -54,7 +54,7 @@ struct ByValue
 };
 
 ByValue GetByValue(
-  const scene::Settings& settings, const scene::LookChoice& look, const Facts& facts)
+  const scene::Settings& settings, const look::LookChoice& look, const Facts& facts)
 {
   const std::string given = settings.Get("--color-by");
   if (given.empty() || facts.Components.count(given) != 0)
@@ -183,12 +183,12 @@ void ColorsGroup::AddMap()
     [this] { this->TakeMap(); });
   QObject::connect(this->Nan, &ColorButton::edited, this, [this] {
     this->ChangeMap(
-      [this](scene::Colormap& map) { map.Nan = this->Nan->GetColor().name().toStdString(); });
+      [this](look::Colormap& map) { map.Nan = this->Nan->GetColor().name().toStdString(); });
   });
   QObject::connect(
-    this->Stops, &StopsEdit::edited, this, [this](const std::vector<scene::ColorStop>& stops) {
-      this->ChangeMap([&stops](scene::Colormap& map) {
-        map.Map = scene::WriteStops(map.Reversed ? TurnRound(stops) : stops);
+    this->Stops, &StopsEdit::edited, this, [this](const std::vector<look::ColorStop>& stops) {
+      this->ChangeMap([&stops](look::Colormap& map) {
+        map.Map = look::WriteStops(map.Reversed ? TurnRound(stops) : stops);
       });
     });
 }
@@ -217,7 +217,7 @@ void ColorsGroup::AddRange()
   QObject::connect(this->Seen, &QPushButton::clicked, this, [this] {
     if (const std::optional<std::array<double, 2>> range = this->ReadSeen())
     {
-      this->SetRange(scene::WriteNumbers({ (*range)[0], (*range)[1] }));
+      this->SetRange(words::WriteNumbers({ (*range)[0], (*range)[1] }));
     }
   });
 }
@@ -251,7 +251,7 @@ void ColorsGroup::SetColorBy(const QString& name, const QString& component)
 // The value in the controls, or the typed word.
 void ColorsGroup::TakeMap()
 {
-  this->ChangeMap([this](scene::Colormap& map) {
+  this->ChangeMap([this](look::Colormap& map) {
     const std::string typed = this->Colormap->currentText().trimmed().toStdString();
     map.Map = typed.empty() ? map.Map : typed;
     map.Reversed = this->Reversed->isChecked();
@@ -261,12 +261,12 @@ void ColorsGroup::TakeMap()
 }
 
 //------------------------------------------------------------------------------
-void ColorsGroup::ChangeMap(const std::function<void(scene::Colormap&)>& change)
+void ColorsGroup::ChangeMap(const std::function<void(look::Colormap&)>& change)
 {
-  scene::Colormap map = scene::Colormap::Parse(this->Edited->Get().Parse().Look.Colormap);
+  look::Colormap map = look::Colormap::Parse(this->Edited->Get().Parse().Look.Colormap);
   change(map);
   std::string word = map.Write();
-  word = word == scene::DefaultColormap ? std::string() : word;
+  word = word == look::DefaultColormap ? std::string() : word;
   if (word != this->Edited->Get().Get("--colormap"))
   {
     this->Edited->Change([&word](scene::Settings& settings) {
@@ -282,12 +282,12 @@ void ColorsGroup::ShowMap(const std::string& word)
 {
   const QSignalBlocker quiet[] = { QSignalBlocker(this->Reversed), QSignalBlocker(this->Log),
     QSignalBlocker(this->Steps) };
-  const scene::Colormap map = scene::Colormap::Parse(word);
+  const look::Colormap map = look::Colormap::Parse(word);
   this->Reversed->setChecked(map.Reversed);
   this->Log->setChecked(map.Log);
   this->Steps->setValue(std::max(1, map.Steps));
-  const scene::Color nan =
-    map.Nan.empty() ? scene::Color{ 0.5, 0.5, 0.5 } : scene::ParseColor("nan", map.Nan);
+  const look::Color nan =
+    map.Nan.empty() ? look::Color{ 0.5, 0.5, 0.5 } : look::ParseColor("nan", map.Nan);
   this->Nan->SetColor(QColor::fromRgbF(nan[0], nan[1], nan[2]));
   this->Colormap->Show(map.Map);
   this->ShowStops();
@@ -301,14 +301,14 @@ void ColorsGroup::ShowStops()
   {
     return;
   }
-  const scene::Colormap map = scene::Colormap::Parse(this->Edited->Get().Parse().Look.Colormap);
-  std::vector<scene::ColorStop> stops = scene::ParseStops(map.Map);
+  const look::Colormap map = look::Colormap::Parse(this->Edited->Get().Parse().Look.Colormap);
+  std::vector<look::ColorStop> stops = look::ParseStops(map.Map);
   if (stops.empty())
   {
-    const auto colors = scene::MakeColormap(map.Map, { 0.0, 1.0 });
+    const auto colors = look::MakeColormap(map.Map, { 0.0, 1.0 });
     for (int i = 0; i < NamedStops; ++i)
     {
-      scene::ColorStop stop;
+      look::ColorStop stop;
       stop.Place = static_cast<double>(i) / (NamedStops - 1);
       colors->GetColor(stop.Place, stop.Shown.data());
       stops.push_back(stop);
@@ -328,7 +328,7 @@ void ColorsGroup::SwitchRange(bool automatic)
   {
     // A range of one value has no distinct ends.
     const double most = (*range)[0] < (*range)[1] ? (*range)[1] : (*range)[0] + 1.0;
-    this->SetRange(scene::WriteNumbers({ (*range)[0], most }));
+    this->SetRange(words::WriteNumbers({ (*range)[0], most }));
   }
   this->ShowSettings();
 }
@@ -414,7 +414,7 @@ void ColorsGroup::ShowSettings()
   const QSignalBlocker quiet[] = { QSignalBlocker(this->ColorBy), QSignalBlocker(this->Symmetric),
     QSignalBlocker(this->Solid) };
   const scene::Settings& settings = this->Edited->Get();
-  const scene::LookChoice look = settings.Parse().Look;
+  const look::LookChoice look = settings.Parse().Look;
   const ByValue by = GetByValue(settings, look, this->Edited->GetFacts());
   const QString name = QString::fromStdString(by.Name);
   if (this->ColorBy->findData(name) < 0)
@@ -434,9 +434,9 @@ void ColorsGroup::ShowSettings()
   this->Range->Show(look.Range ? ends.value(0) : QString(), look.Range ? ends.value(1) : QString());
   this->Symmetric->setChecked(look.Symmetric);
   SetIdle(this->Symmetric,
-    look.Range                                    ? "Has an effect where the range is automatic."
-      : scene::Colormap::Parse(look.Colormap).Log ? "Logarithms need positive values."
-                                                  : "");
+    look.Range                                   ? "Has an effect where the range is automatic."
+      : look::Colormap::Parse(look.Colormap).Log ? "Logarithms need positive values."
+                                                 : "");
   SetIdle(this->Seen,
     by.Name.empty()                                            ? "Choose an array to colour by."
       : FindColorLayer(look, this->Edited->GetFacts()).empty() ? "Has an effect on surfaces."
@@ -445,7 +445,7 @@ void ColorsGroup::ShowSettings()
   this->Solid->setChecked(look.Solid.has_value());
   if (look.Solid)
   {
-    const scene::Color& color = *look.Solid;
+    const look::Color& color = *look.Solid;
     this->Color->SetColor(QColor::fromRgbF(color[0], color[1], color[2]));
   }
 }

@@ -47,7 +47,7 @@ private:
   bool HasValues(const QString& name, const QString& component) const;
   void SetColorBy(const QString& name, const QString& component);
   void TakeMap();
-  void ChangeMap(const std::function<void(scene::Colormap&)>& change);
+  void ChangeMap(const std::function<void(look::Colormap&)>& change);
   void ShowMap(const std::string& word);
   void ShowStops();
   void ShowFound();

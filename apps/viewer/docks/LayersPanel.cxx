@@ -118,7 +118,7 @@ void LayersPanel::AddColors(QGroupBox* shown)
       const bool known = std::isfinite(range[0]) && range[0] < range[1];
       this->Set("range",
         automatic ? "0/0"
-          : known ? scene::WriteNumber(range[0]) + "/" + scene::WriteNumber(range[1])
+          : known ? words::WriteNumber(range[0]) + "/" + words::WriteNumber(range[1])
                   : "0/1");
     });
   QObject::connect(this->Range, &relievoQt::RangeEdit::typed, this,
@@ -217,7 +217,7 @@ void LayersPanel::ShowSettings()
   this->Grey->setChecked(settings.GetParameter(Stage, "grey") == "on");
   this->Reversed->setChecked(settings.GetParameter(Stage, "reversed") == "on");
   this->Colormap->Show(settings.GetParameter(Stage, "colormap"));
-  const std::vector<std::string> ends = scene::Split(settings.GetParameter(Stage, "range"), '/');
+  const std::vector<std::string> ends = words::Split(settings.GetParameter(Stage, "range"), '/');
   const bool given = ends.size() == 2 && ends[0] != ends[1];
   this->Range->Show(given ? QString::fromStdString(ends[0]) : QString(),
     given ? QString::fromStdString(ends[1]) : QString());

@@ -70,11 +70,11 @@ void LightPanel::AddEnvironment()
   this->Roughness = add("Roughness", "roughness", 1.0, 0.01);
   this->Values = new SurfaceValues(this->Edited, this->Environment);
   for (const vtkRelievoParameterList* list :
-    { &scene::GetEnvironmentValues(), &scene::GetMaterialValues() })
+    { &look::GetEnvironmentValues(), &look::GetMaterialValues() })
   {
     for (const vtkRelievoParameter& value : list->Parameters)
     {
-      if (list == &scene::GetEnvironmentValues() || value.OnlyIf == "environment")
+      if (list == &look::GetEnvironmentValues() || value.OnlyIf == "environment")
       {
         this->Values->Add(value);
       }
@@ -93,14 +93,14 @@ void LightPanel::AddEnvironment()
     this->Edited->Change([this, value](scene::Settings& settings) {
       const bool both = settings.Get("--reflectivity").find(',') != std::string::npos;
       settings.Set("--reflectivity",
-        both ? scene::WriteNumbers({ value, this->Roughness->GetValue() })
-             : scene::WriteNumber(value));
+        both ? words::WriteNumbers({ value, this->Roughness->GetValue() })
+             : words::WriteNumber(value));
     });
   });
   QObject::connect(this->Roughness, &relievoQt::Number::edited, this, [this](double value) {
     this->Edited->Change([this, value](scene::Settings& settings) {
       settings.Set(
-        "--reflectivity", scene::WriteNumbers({ this->Reflectivity->GetValue(), value }));
+        "--reflectivity", words::WriteNumbers({ this->Reflectivity->GetValue(), value }));
     });
   });
   QObject::connect(this->Sky, &QCheckBox::toggled, this, [this](bool on) {
@@ -139,7 +139,7 @@ void LightPanel::SwitchEnvironment(bool on)
       kept.SetAll(option, settings.GetAll(option));
       settings.SetAll(option, on ? this->Kept.GetAll(option) : std::vector<std::string>());
     }
-    for (const auto& [name, words] : on ? this->KeptMirror : scene::NamedWords())
+    for (const auto& [name, words] : on ? this->KeptMirror : words::NamedWords())
     {
       scene::SetSurfaceValue(settings, name, words);
     }
@@ -150,12 +150,12 @@ void LightPanel::SwitchEnvironment(bool on)
 
 //------------------------------------------------------------------------------
 // The material's values without effect if there is no environment, as given.
-scene::NamedWords LightPanel::GetMirrorValues() const
+words::NamedWords LightPanel::GetMirrorValues() const
 {
-  scene::NamedWords mirror;
+  words::NamedWords mirror;
   for (const auto& given : this->Edited->Get().Parse().Surface.Material)
   {
-    if (scene::GetMaterialValues().Find(given.first)->OnlyIf == "environment")
+    if (look::GetMaterialValues().Find(given.first)->OnlyIf == "environment")
     {
       mirror.push_back(given);
     }

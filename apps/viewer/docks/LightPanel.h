@@ -36,7 +36,7 @@ private:
   void AddEnvironment();
   void SwitchEnvironment(bool on);
   void SetFile(const std::string& file, double rotation);
-  scene::NamedWords GetMirrorValues() const;
+  words::NamedWords GetMirrorValues() const;
   void ShowSettings();
 
   LightsGroup* Lights;
@@ -48,7 +48,7 @@ private:
   SurfaceValues* Values;
   bool Waiting = false;         // switched on without an image; not in the words yet
   scene::Settings Kept;         // the environment while it is switched off
-  scene::NamedWords KeptMirror; // the reflection's values with it
+  words::NamedWords KeptMirror; // the reflection's values with it
 };
 }
 

@@ -35,7 +35,7 @@ constexpr int SwatchSize = 14;
 const char* const Kinds[] = { "sun", "spot", "point" };
 
 // A disc of the light's colour, with a rim that keeps white visible.
-QIcon MakeSwatch(const scene::LightChoice& light, const QPalette& palette)
+QIcon MakeSwatch(const look::LightChoice& light, const QPalette& palette)
 {
   QPixmap swatch(SwatchSize, SwatchSize);
   swatch.fill(Qt::transparent);
@@ -159,7 +159,7 @@ void LightsGroup::AddFill()
   this->GetRows()->addRow(foot);
   QObject::connect(this->Fill, &relievoQt::Number::edited, this, [this](double share) {
     this->Edited->Change(
-      [share](scene::Settings& settings) { settings.Set("--fill", scene::WriteNumber(share)); });
+      [share](scene::Settings& settings) { settings.Set("--fill", words::WriteNumber(share)); });
   });
 }
 
@@ -170,7 +170,7 @@ std::vector<LightsGroup::Row> LightsGroup::FindLights() const
   const std::vector<std::string> lights = GetLights(this->Edited);
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    const scene::LightChoice light = scene::ParseLight(lights[i]);
+    const look::LightChoice light = look::ParseLight(lights[i]);
     Row row;
     row.Word = lights[i];
     row.Own = static_cast<int>(i);
@@ -272,7 +272,7 @@ void LightsGroup::ShowList(const std::vector<Row>& rows)
     item->setToolTip(1, row.Tip);
     item->setIcon(0,
       MakeSwatch(
-        row.Word.empty() ? scene::LightChoice() : scene::ParseLight(row.Word), this->palette()));
+        row.Word.empty() ? look::LightChoice() : look::ParseLight(row.Word), this->palette()));
     if (row.Own >= 0)
     {
       item->setFlags(item->flags() | Qt::ItemIsEditable);
@@ -409,24 +409,24 @@ void LightsGroup::MakeOwn()
 // The preset's light, with the user's edits.
 void LightsGroup::TakeEdit(const std::string& before, const std::string& after)
 {
-  const scene::LightWords was = scene::SplitLight(before), is = scene::SplitLight(after);
+  const look::LightWords was = look::SplitLight(before), is = look::SplitLight(after);
   this->Edited->Change([&](scene::Settings& settings) {
     scene::OwnKeyLight(settings, this->Edited->GetUpAxis());
     std::vector<std::string> lights = settings.GetAll("--light");
-    scene::LightWords words = scene::SplitLight(lights.back());
+    look::LightWords words = look::SplitLight(lights.back());
     words.Numbers = is.Numbers == was.Numbers ? words.Numbers : is.Numbers;
-    for (const scene::LightWords* each : { &was, &is })
+    for (const look::LightWords* each : { &was, &is })
     {
       for (const auto& value : each->Values)
       {
-        const std::string edited = scene::FindWords(is.Values, value.first);
-        if (edited != scene::FindWords(was.Values, value.first))
+        const std::string edited = words::FindWords(is.Values, value.first);
+        if (edited != words::FindWords(was.Values, value.first))
         {
-          scene::SetWords(words.Values, value.first, edited);
+          words::SetWords(words.Values, value.first, edited);
         }
       }
     }
-    lights.back() = scene::WriteLight(words);
+    lights.back() = look::WriteLight(words);
     settings.SetAll("--light", lights);
   });
 }
@@ -441,9 +441,9 @@ void LightsGroup::Rename(QTreeWidgetItem* item)
     return;
   }
   const Row& row = this->Rows[static_cast<std::size_t>(place)];
-  scene::LightWords words = scene::SplitLight(row.Word);
-  scene::SetWords(words.Values, "name", item->text(0).trimmed().toStdString());
-  this->SetLight(row.Own, scene::WriteLight(words));
+  look::LightWords words = look::SplitLight(row.Word);
+  words::SetWords(words.Values, "name", item->text(0).trimmed().toStdString());
+  this->SetLight(row.Own, look::WriteLight(words));
   this->Rows.clear(); // the stored text may differ from the typed one
   this->ShowSettings();
 }

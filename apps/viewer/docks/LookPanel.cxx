@@ -27,7 +27,7 @@ std::string Words(const QColor& color)
   return color.name().toStdString();
 }
 
-QColor FromColor(const scene::Color& color)
+QColor FromColor(const look::Color& color)
 {
   return QColor::fromRgbF(color[0], color[1], color[2]);
 }
@@ -60,7 +60,7 @@ void LookPanel::AddSurface()
   GetRows(group)->addRow("Opacity", this->Opacity);
   QObject::connect(this->Opacity, &relievoQt::Number::edited, this, [this](double value) {
     this->Edited->Change([&](scene::Settings& settings) {
-      SetOption(settings, "--opacity", value == 1.0 ? "" : scene::WriteNumber(value));
+      SetOption(settings, "--opacity", value == 1.0 ? "" : words::WriteNumber(value));
     });
   });
   this->PointSize = MakeNumber("--point-size", 1.0, 1, group);
@@ -70,7 +70,7 @@ void LookPanel::AddSurface()
   GetRows(group)->addRow("Point size", this->PointSize);
   QObject::connect(this->PointSize, &relievoQt::Number::edited, this, [this](double value) {
     this->Edited->Change(
-      [&](scene::Settings& settings) { settings.Set("--point-size", scene::WriteNumber(value)); });
+      [&](scene::Settings& settings) { settings.Set("--point-size", words::WriteNumber(value)); });
   });
   this->Edges = MakeFlag(this->Edited, "--edges", group);
   this->Edges->setToolTip("Draws the edges of cells");
@@ -140,7 +140,7 @@ void LookPanel::ShowSettings()
   ShowFlag(this->Edges, settings, "--edges");
   this->Opacity->SetValue(options.Look.Opacity);
   this->PointSize->SetValue(options.Look.PointSize);
-  const std::vector<scene::Color>& background = options.Look.Background;
+  const std::vector<look::Color>& background = options.Look.Background;
   const bool own = settings.Has("--background");
   this->Background->setItemText(0, background.empty() ? "VTK's" : "The preset's");
   this->Background->setCurrentIndex(own ? static_cast<int>(background.size()) : 0);

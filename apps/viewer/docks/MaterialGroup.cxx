@@ -46,7 +46,7 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   this->Coordinates = AddChoice(document, this->GetAdvanced(), "--texture-coordinates", "automatic",
     "For meshes without texture coordinates: how maps are placed");
   this->Values = new SurfaceValues(document, this);
-  for (const vtkRelievoParameter& value : scene::GetMaterialValues().Parameters)
+  for (const vtkRelievoParameter& value : look::GetMaterialValues().Parameters)
   {
     if (value.OnlyIf != "environment") // those are in the environment's group
     {
@@ -77,7 +77,7 @@ void MaterialGroup::SetHeightMap(const std::string& file, double depth)
 {
   this->Edited->Change([&](scene::Settings& settings) {
     SetOption(
-      settings, "--height-map", file.empty() ? file : scene::WriteFileAndNumber(file, depth));
+      settings, "--height-map", file.empty() ? file : words::WriteFileAndNumber(file, depth));
   });
 }
 

@@ -59,6 +59,6 @@ void ModelGroup::ShowSettings()
   ShowFlag(this->Loop, settings, "--loop");
   ShowFlag(this->Skeleton, settings, "--skeleton");
   this->setVisible(std::any_of(settings.Files.begin(), settings.Files.end(),
-    [](const std::string& file) { return scene::IsModel(file); }));
+    [](const std::string& file) { return reading::IsModel(file); }));
 }
 }

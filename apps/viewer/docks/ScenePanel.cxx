@@ -176,7 +176,7 @@ void ScenePanel::AddCamera()
   QObject::connect(this->Angle, &relievoQt::Number::edited, this, [this](double angle) {
     this->Edited->Change([&](scene::Settings& settings) {
       SetOption(settings, "--view-angle",
-        angle == scene::StandardViewAngle ? "" : scene::WriteNumber(angle));
+        angle == look::StandardViewAngle ? "" : words::WriteNumber(angle));
     });
   });
 }
@@ -215,6 +215,6 @@ void ScenePanel::ShowSettings()
   ShowFlag(this->Grid, settings, "--grid");
   ShowChoice(this->ScaleBar, settings, "--scale-bar");
   ShowChoice(this->Images, settings, "--image");
-  this->Angle->SetValue(options.View.Angle.value_or(scene::StandardViewAngle));
+  this->Angle->SetValue(options.View.Angle.value_or(look::StandardViewAngle));
 }
 }

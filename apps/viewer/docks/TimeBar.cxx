@@ -70,7 +70,7 @@ double TimeBar::GetTime() const
 void TimeBar::SetTime(double seconds)
 {
   this->Edited->Change(
-    [seconds](scene::Settings& settings) { settings.Set("--time", scene::WriteNumber(seconds)); },
+    [seconds](scene::Settings& settings) { settings.Set("--time", words::WriteNumber(seconds)); },
     this->Played);
 }
 

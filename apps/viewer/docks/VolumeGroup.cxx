@@ -42,18 +42,17 @@ VolumeGroup::VolumeGroup(Document* document, Reader read, QWidget* parent)
   QObject::connect(
     this->Curve, &OpacityCurve::edited, this, [this](const OpacityCurve::Points& points) {
       this->Edited->Change([&points](scene::Settings& settings) {
-        settings.Set(CurveOption, scene::WriteOpacityCurve(points));
+        settings.Set(CurveOption, look::WriteOpacityCurve(points));
       });
     });
   QObject::connect(this->Found, &QCheckBox::toggled, this, [this](bool on) {
     this->Edited->Change([this, on](scene::Settings& settings) {
-      SetOption(
-        settings, CurveOption, on ? "" : scene::WriteOpacityCurve(this->Curve->GetPoints()));
+      SetOption(settings, CurveOption, on ? "" : look::WriteOpacityCurve(this->Curve->GetPoints()));
     });
   });
   QObject::connect(this->Step, &relievoQt::Number::edited, this, [this](double step) {
     this->Edited->Change([step](scene::Settings& settings) {
-      SetOption(settings, StepOption, step == 0.5 ? "" : scene::WriteNumber(step));
+      SetOption(settings, StepOption, step == 0.5 ? "" : words::WriteNumber(step));
     });
   });
   QObject::connect(document, &Document::changed, this, &VolumeGroup::ShowSettings);
@@ -84,7 +83,7 @@ void VolumeGroup::ShowVolume()
 void VolumeGroup::ShowSettings()
 {
   const QSignalBlocker quiet(this->Found);
-  const scene::LookChoice look = this->Edited->Get().Parse().Look;
+  const look::LookChoice look = this->Edited->Get().Parse().Look;
   this->Found->setChecked(look.OpacityCurve.empty());
   if (!look.OpacityCurve.empty())
   {

@@ -27,12 +27,12 @@ namespace viewer
 {
 namespace
 {
-using Kind = scene::LightChoice::Kind;
+using Kind = look::LightChoice::Kind;
 
 constexpr double MostIntensity = 1000.0;
 constexpr double MostRadius = 1e9;
 
-QColor ToColor(const scene::LightChoice& light)
+QColor ToColor(const look::LightChoice& light)
 {
   return QColor::fromRgbF(static_cast<float>(light.Color[0]), static_cast<float>(light.Color[1]),
     static_cast<float>(light.Color[2]));
@@ -108,12 +108,12 @@ void LightEdit::AddCommon(QFormLayout* rows)
   QObject::connect(this->Color, &ColorButton::edited, this,
     [this](const QColor& color) { this->SetValue("color", color.name().toStdString()); });
   QObject::connect(this->Intensity, &relievoQt::Number::edited, this, [this](double value) {
-    this->SetValue("intensity", value == 1.0 ? "" : scene::WriteNumber(value));
+    this->SetValue("intensity", value == 1.0 ? "" : words::WriteNumber(value));
   });
   for (relievoQt::Number* edit : { this->Angle, this->Radius })
   {
     QObject::connect(edit, &relievoQt::Number::edited, this,
-      [this](double value) { this->SetValue("size", scene::WriteNumber(value)); });
+      [this](double value) { this->SetValue("size", words::WriteNumber(value)); });
   }
   QObject::connect(this->Casts, &QCheckBox::toggled, this,
     [this](bool on) { this->SetValue("casts", on ? "" : "off"); });
@@ -157,10 +157,10 @@ void LightEdit::AddPlace()
 //------------------------------------------------------------------------------
 void LightEdit::SetValue(const char* name, const std::string& value)
 {
-  if (scene::FindWords(this->Words.Values, name) != value)
+  if (words::FindWords(this->Words.Values, name) != value)
   {
-    scene::SetWords(this->Words.Values, name, value);
-    this->Word = scene::WriteLight(this->Words);
+    words::SetWords(this->Words.Values, name, value);
+    this->Word = look::WriteLight(this->Words);
     Q_EMIT this->edited(QString::fromStdString(this->Word));
   }
 }
@@ -171,7 +171,7 @@ void LightEdit::SetNumbers(const std::string& numbers)
   if (this->Words.Numbers != numbers)
   {
     this->Words.Numbers = numbers;
-    this->Word = scene::WriteLight(this->Words); // displayed angles are rounded
+    this->Word = look::WriteLight(this->Words); // displayed angles are rounded
     Q_EMIT this->edited(QString::fromStdString(this->Word));
   }
 }
@@ -179,7 +179,7 @@ void LightEdit::SetNumbers(const std::string& numbers)
 //------------------------------------------------------------------------------
 void LightEdit::SetWord(const std::string& word, Owner owner)
 {
-  const scene::LightChoice light = scene::ParseLight(word);
+  const look::LightChoice light = look::ParseLight(word);
   const int up = this->Edited->GetUpAxis();
   this->setEnabled(owner != OFF);
   SetIdle(this->Intensity, owner == PRESET ? "Make it your own to change how bright it is." : "");
@@ -192,7 +192,7 @@ void LightEdit::SetWord(const std::string& word, Owner owner)
   this->PlaceButton->setChecked(false);
   this->Word = word;
   this->WordUp = up;
-  this->Words = scene::SplitLight(word);
+  this->Words = look::SplitLight(word);
   this->Kind = light.Is;
   const QSignalBlocker quiet(this->Casts);
   this->Name->setText(QString::fromStdString(light.Name));
@@ -224,7 +224,7 @@ void LightEdit::SetWord(const std::string& word, Owner owner)
 }
 
 //------------------------------------------------------------------------------
-void LightEdit::ShowSoftness(const scene::LightChoice& light)
+void LightEdit::ShowSoftness(const look::LightChoice& light)
 {
   const scene::Settings& settings = this->Edited->Get();
   const bool sun = light.Is == Kind::Sun;
@@ -243,7 +243,7 @@ void LightEdit::ShowSoftness(const scene::LightChoice& light)
 }
 
 //------------------------------------------------------------------------------
-void LightEdit::ShowSun(const scene::LightChoice& light)
+void LightEdit::ShowSun(const look::LightChoice& light)
 {
   const QSignalBlocker quiet[] = { QSignalBlocker(this->Sun->By), QSignalBlocker(this->Sun->Date) };
   this->Time = light.Time.value_or(this->Time);
@@ -252,9 +252,9 @@ void LightEdit::ShowSun(const scene::LightChoice& light)
   this->Sun->TimeZone->SetValue(this->Time.TimeZone);
   this->Sun->Latitude->SetValue(this->Time.Latitude);
   this->Sun->Longitude->SetValue(this->Time.Longitude);
-  const scene::SunAngles angles = light.Time ? scene::GetSunAngles(*light.Time)
-    : light.Angles                           ? *light.Angles
-                                             : scene::GetSunAngles(light.Position, this->WordUp);
+  const look::SunAngles angles = light.Time ? look::GetSunAngles(*light.Time)
+    : light.Angles                          ? *light.Angles
+                                            : look::GetSunAngles(light.Position, this->WordUp);
   this->Sun->Azimuth->SetValue(angles.Azimuth);
   this->Sun->Elevation->SetValue(angles.Elevation);
   this->Sun->By->setCurrentIndex(light.Time ? 1 : 0);
@@ -275,7 +275,7 @@ void LightEdit::WriteSun()
   if (!this->Sun->IsByPlace()) // by angles
   {
     this->SetNumbers(
-      scene::WriteNumbers({ this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue() }));
+      words::WriteNumbers({ this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue() }));
   }
   else
   {
@@ -283,10 +283,10 @@ void LightEdit::WriteSun()
     this->Time = { date.year(), date.month(), date.day(), this->Sun->Time->GetValue(),
       this->Sun->TimeZone->GetValue(), this->Sun->Latitude->GetValue(),
       this->Sun->Longitude->GetValue() };
-    const scene::SunAngles angles = scene::GetSunAngles(this->Time);
+    const look::SunAngles angles = look::GetSunAngles(this->Time);
     this->Sun->Azimuth->SetValue(angles.Azimuth);
     this->Sun->Elevation->SetValue(angles.Elevation);
-    this->SetNumbers(scene::WriteSunTime(this->Time));
+    this->SetNumbers(look::WriteSunTime(this->Time));
   }
   this->ShowWords();
 }
@@ -297,7 +297,7 @@ void LightEdit::WritePlace()
   std::vector<double> numbers = Concatenate(this->Position->GetValue(), this->Target->GetValue());
   numbers.push_back(this->Cone->GetValue());
   numbers.resize(this->Kind == Kind::Spot ? 7 : 3);
-  this->SetNumbers(scene::WriteNumbers(numbers));
+  this->SetNumbers(words::WriteNumbers(numbers));
 }
 
 //------------------------------------------------------------------------------

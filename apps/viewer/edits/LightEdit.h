@@ -64,8 +64,8 @@ private:
   void AddPlace();
   void SetValue(const char* name, const std::string& value);
   void SetNumbers(const std::string& numbers);
-  void ShowSoftness(const scene::LightChoice& light);
-  void ShowSun(const scene::LightChoice& light);
+  void ShowSoftness(const look::LightChoice& light);
+  void ShowSun(const look::LightChoice& light);
   void ShowWords();
   void WriteSun();
   void WritePlace();
@@ -73,9 +73,9 @@ private:
   Document* Edited;
   std::string Word; // the light shown
   int WordUp = -1;
-  scene::LightWords Words;
-  scene::LightChoice::Kind Kind = scene::LightChoice::Kind::Sun;
-  scene::SunTime Time; // for a sun by date and time
+  look::LightWords Words;
+  look::LightChoice::Kind Kind = look::LightChoice::Kind::Sun;
+  look::SunTime Time; // for a sun by date and time
   QLineEdit* Name;
   ColorButton* Color;
   relievoQt::Number *Intensity, *Angle, *Radius;

@@ -92,7 +92,7 @@ QWidget* ParameterEdit::MakeNumber(const vtkRelievoParameter& parameter)
   }
   this->Show = [number](const QString& words) { number->SetValue(words.toDouble()); };
   QObject::connect(number, &relievoQt::Number::edited, this, [this](double value) {
-    Q_EMIT this->edited(QString::fromStdString(scene::WriteNumber(value)));
+    Q_EMIT this->edited(QString::fromStdString(words::WriteNumber(value)));
   });
   return number;
 }
@@ -129,7 +129,7 @@ QWidget* ParameterEdit::MakeColor()
   };
   QObject::connect(button, &ColorButton::edited, this, [this](const QColor& color) {
     Q_EMIT this->edited(QString::fromStdString(
-      scene::WriteNumbers({ color.red() / 255.0, color.green() / 255.0, color.blue() / 255.0 })));
+      words::WriteNumbers({ color.red() / 255.0, color.green() / 255.0, color.blue() / 255.0 })));
   });
   return button;
 }

@@ -26,7 +26,7 @@ namespace viewer
 {
 namespace
 {
-using Pairs = scene::NamedWords;
+using Pairs = words::NamedWords;
 
 QString Words(const std::string& text)
 {
@@ -213,11 +213,11 @@ void PointsEdit::Remove()
 
 //------------------------------------------------------------------------------
 // Why the value has no effect; empty if it has one.
-QString PointsEdit::WhyIdle(const Row& row, const scene::NamedWords& values) const
+QString PointsEdit::WhyIdle(const Row& row, const words::NamedWords& values) const
 {
   for (const vtkRelievoParameter::Condition& condition : row.Conditions)
   {
-    std::string value = scene::FindWords(values, condition.Name);
+    std::string value = words::FindWords(values, condition.Name);
     value = value.empty() ? this->Described->GetDefault(condition.Name) : value;
     if ((value == condition.Value) == condition.Other)
     {
@@ -239,12 +239,12 @@ void PointsEdit::Write(const std::string& name, const QString& text)
   std::string& word = words[static_cast<std::size_t>(row)];
   Pairs values;
   const std::string file = scene::ParseFileAndValues(this->Option, word, values);
-  scene::SetWords(values, name, text.toStdString());
+  words::SetWords(values, name, text.toStdString());
   for (const Row& other : this->Rows)
   {
     if (!this->WhyIdle(other, values).isEmpty())
     {
-      scene::SetWords(values, other.Name, "");
+      words::SetWords(values, other.Name, "");
     }
   }
   word = scene::WriteFileAndValues(file, values);
@@ -289,7 +289,7 @@ void PointsEdit::ShowValues(bool again)
   scene::ParseFileAndValues(this->Option, words[static_cast<std::size_t>(file)], values);
   for (Row& row : this->Rows)
   {
-    const QString text = Words(scene::FindWords(values, row.Name));
+    const QString text = Words(words::FindWords(values, row.Name));
     if (again || text != row.Shown) // keeps a text while the user types
     {
       row.Shown = text;

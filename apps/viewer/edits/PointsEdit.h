@@ -49,7 +49,7 @@ private:
   QComboBox* MakeBox(Row& row, const vtkRelievoParameter& value, QWidget* parent);
   QWidget* MakeColor(Row& row, const vtkRelievoParameter& value);
   void Connect(QComboBox* box, const std::string& name);
-  QString WhyIdle(const Row& row, const scene::NamedWords& values) const;
+  QString WhyIdle(const Row& row, const words::NamedWords& values) const;
   void Ask();
   void Remove();
   void Write(const std::string& name, const QString& text);

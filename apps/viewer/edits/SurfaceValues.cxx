@@ -17,9 +17,9 @@ namespace viewer
 namespace
 {
 // Separates the numbers of a value by /, because commas separate values.
-std::string Read(const scene::SurfaceChoice& surface, const std::string& name)
+std::string Read(const look::SurfaceChoice& surface, const std::string& name)
 {
-  std::string words = scene::GetSurfaceValue(surface, name);
+  std::string words = look::GetSurfaceValue(surface, name);
   std::replace(words.begin(), words.end(), ',', '/');
   return words;
 }
@@ -57,11 +57,11 @@ void SurfaceValues::Add(const vtkRelievoParameter& value)
 //------------------------------------------------------------------------------
 void SurfaceValues::ShowSettings()
 {
-  const scene::SurfaceChoice surface = this->Edited->Get().Parse().Surface;
+  const look::SurfaceChoice surface = this->Edited->Get().Parse().Surface;
   for (const Row& row : this->All)
   {
-    const auto failing = scene::FindFailing(surface, *row.Value);
-    SetIdle(row.Edit, failing ? WriteCondition(scene::GetMaterialValues(), *failing) : QString());
+    const auto failing = look::FindFailing(surface, *row.Value);
+    SetIdle(row.Edit, failing ? WriteCondition(look::GetMaterialValues(), *failing) : QString());
     row.Edit->SetValue(QString::fromStdString(Read(surface, row.Value->Name)));
   }
 }

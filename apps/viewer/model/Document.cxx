@@ -34,7 +34,7 @@ scene::Settings Document::FromWords(const std::vector<std::string>& words)
         return word == "--times" || word.rfind("--times=", 0) == 0;
       }))
   {
-    scene::Messages::Note(
+    reading::Messages::Note(
       "--times: the window plays the animation itself, from the first of the times");
   }
   return settings;

@@ -26,7 +26,7 @@ public:
   explicit Document(QObject* parent = nullptr);
 
   /// Parses settings from command-line words without outputs; notes differences in the window's
-  /// behaviour. Throws scene::UsageError.
+  /// behaviour. Throws words::UsageError.
   static scene::Settings FromWords(const std::vector<std::string>& words);
 
   const scene::Settings& Get() const { return this->Now; }

@@ -22,7 +22,7 @@ constexpr double Cone = 28.0; // degrees; the sphere spans 23.6 degrees each way
 // Keeps words short.
 double Round(double value, double size)
 {
-  return scene::RoundTo(value, 0.01 * size);
+  return words::RoundTo(value, 0.01 * size);
 }
 }
 
@@ -34,7 +34,7 @@ std::string WriteNewLight(const Document& document, const std::string& kind)
   const double radius = 0.5 * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
   const double size = radius > 0.0 ? radius : 1.0;
   const std::array<double, 3> towards =
-    scene::FittedView(document.GetUpAxis()).ToWorld(Towards[others % 2]);
+    look::FittedView(document.GetUpAxis()).ToWorld(Towards[others % 2]);
   std::vector<double> position, middle;
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -44,19 +44,19 @@ std::string WriteNewLight(const Document& document, const std::string& kind)
   }
   if (kind == "sun")
   {
-    const scene::SunAngles angles = scene::GetSunAngles(towards, document.GetUpAxis());
-    position = { scene::RoundTo(angles.Azimuth, 1.0), scene::RoundTo(angles.Elevation, 1.0) };
+    const look::SunAngles angles = look::GetSunAngles(towards, document.GetUpAxis());
+    position = { words::RoundTo(angles.Azimuth, 1.0), words::RoundTo(angles.Elevation, 1.0) };
   }
   if (kind == "spot")
   {
     position.insert(position.end(), middle.begin(), middle.end());
     position.push_back(Cone);
   }
-  scene::LightWords words = { kind, scene::WriteNumbers(position), {} };
+  look::LightWords words = { kind, words::WriteNumbers(position), {} };
   if (others > 0)
   {
     words.Values.emplace_back("intensity", "0.3"); // together they would overexpose the picture
   }
-  return scene::WriteLight(words);
+  return look::WriteLight(words);
 }
 }

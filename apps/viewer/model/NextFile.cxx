@@ -35,7 +35,7 @@ int DropPlacedLights(scene::Settings& settings)
 {
   std::vector<std::string> lights = settings.GetAll("--light");
   const auto kept = std::remove_if(lights.begin(), lights.end(), [](const std::string& word) {
-    return scene::ParseLight(word).Is != scene::LightChoice::Kind::Sun;
+    return look::ParseLight(word).Is != look::LightChoice::Kind::Sun;
   });
   const auto count = static_cast<int>(lights.end() - kept);
   lights.erase(kept, lights.end());
@@ -76,11 +76,11 @@ QString DropFiles(scene::Settings& settings)
     }
     settings.Remove(word.Option);
   }
-  if (settings.Has("--colormap") && scene::Colormap::Parse(settings.Get("--colormap")).Log)
+  if (settings.Has("--colormap") && look::Colormap::Parse(settings.Get("--colormap")).Log)
   {
     settings.Remove("--colormap");
   }
-  for (const std::string& word : scene::GetModelOptions())
+  for (const std::string& word : reading::GetModelOptions())
   {
     settings.Remove(word);
   }

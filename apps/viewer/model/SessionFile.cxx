@@ -27,7 +27,7 @@ constexpr int Version = 1;
 
 [[noreturn]] void Fail(const QString& path, const QString& why)
 {
-  throw scene::WorkError((path + ": " + why.simplified()).toStdString()); // one line
+  throw words::WorkError((path + ": " + why.simplified()).toStdString()); // one line
 }
 
 // Older sessions stored a first sun by date and place beside the words.
@@ -41,13 +41,13 @@ void PlaceSun(scene::Settings& view, const QJsonObject& sun)
     return;
   }
   const QJsonArray date = sun["date"].toArray();
-  const scene::SunTime fresh;
-  scene::LightWords words = scene::SplitLight(*first);
-  words.Numbers = scene::WriteSunTime(
+  const look::SunTime fresh;
+  look::LightWords words = look::SplitLight(*first);
+  words.Numbers = look::WriteSunTime(
     { date[0].toInt(fresh.Year), date[1].toInt(fresh.Month), date[2].toInt(fresh.Day),
       sun["hour"].toDouble(fresh.Hour), sun["time_zone"].toDouble(fresh.TimeZone),
       sun["latitude"].toDouble(fresh.Latitude), sun["longitude"].toDouble(fresh.Longitude) });
-  *first = scene::WriteLight(words);
+  *first = look::WriteLight(words);
   view.SetAll("--light", lights);
   view.Parse();
 }
@@ -65,7 +65,7 @@ void SaveSession(const QString& path, const scene::Settings& view)
   }
   const QJsonObject root{ { Mark, Version }, { "words", words } };
   const std::string place = path.toStdString();
-  scene::Outputs outputs;
+  reading::Outputs outputs;
   outputs.Add("Save", place, {});
   QFile file(QString::fromStdString(outputs.Temporary(place)));
   const QByteArray text = QJsonDocument(root).toJson();
@@ -114,7 +114,7 @@ scene::Settings LoadSession(const QString& path)
     scene::Settings view = scene::Settings::FromWords(words);
     for (const std::string& each : view.Files)
     {
-      scene::CheckExtension(each);
+      reading::CheckExtension(each);
     }
     PlaceSun(view, root["sun"].toObject());
     view.MakePathsAbsolute(QFileInfo(path).absolutePath().toStdString());

@@ -13,7 +13,7 @@
 
 namespace viewer
 {
-/// Both throw scene::WorkError with the file's name. Files are written completely or not at all.
+/// Both throw words::WorkError with the file's name. Files are written completely or not at all.
 void SaveSession(const QString& path, const scene::Settings& view);
 scene::Settings LoadSession(const QString& path);
 }

@@ -26,7 +26,7 @@ constexpr double Reach = 15;  // of a handle, for the mouse and for drawing
 
 constexpr double Digits = 1e-3; // precision of a place, relative to the scene's size
 
-QColor GetColor(const scene::LightChoice& light)
+QColor GetColor(const look::LightChoice& light)
 {
   return QColor::fromRgbF(static_cast<float>(std::min(light.Color[0], 1.0)),
     static_cast<float>(std::min(light.Color[1], 1.0)),
@@ -95,12 +95,12 @@ std::vector<LightHandles::Handle> LightHandles::FindHandles() const
   const std::vector<std::string> words = this->Edited->Get().GetAll("--light");
   for (int i = 0; i < static_cast<int>(words.size()); ++i)
   {
-    const scene::LightChoice light = scene::ParseLight(words[static_cast<std::size_t>(i)]);
-    if (light.Is == scene::LightChoice::Kind::Sun)
+    const look::LightChoice light = look::ParseLight(words[static_cast<std::size_t>(i)]);
+    if (light.Is == look::LightChoice::Kind::Sun)
     {
       continue;
     }
-    if (i == this->Current && light.Is == scene::LightChoice::Kind::Spot)
+    if (i == this->Current && light.Is == look::LightChoice::Kind::Spot)
     {
       add(i, true, light.FocalPoint, GetColor(light));
     }
@@ -246,23 +246,23 @@ void LightHandles::Drag(const QPoint& at)
       .value_or(MoveInView(picture, this->Held->World, pixel.x(), pixel.y()));
   const std::array<double, 6>& b = this->Edited->GetFacts().Bounds;
   const double size = std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
-  const scene::LightChoice before = scene::ParseLight(lights[light]);
+  const look::LightChoice before = look::ParseLight(lights[light]);
   std::vector<double> numbers;
   const auto add = [&](const std::array<double, 3>& v, bool moved) {
     for (const double value : v)
     {
-      numbers.push_back(moved && size > 0.0 ? scene::RoundTo(value, Digits * size) : value);
+      numbers.push_back(moved && size > 0.0 ? words::RoundTo(value, Digits * size) : value);
     }
   };
   add(this->Held->IsTarget ? before.Position : place, !this->Held->IsTarget);
-  if (before.Is == scene::LightChoice::Kind::Spot)
+  if (before.Is == look::LightChoice::Kind::Spot)
   {
     add(this->Held->IsTarget ? place : before.FocalPoint, this->Held->IsTarget);
     numbers.push_back(before.ConeAngle);
   }
-  scene::LightWords words = scene::SplitLight(lights[light]);
-  words.Numbers = scene::WriteNumbers(numbers);
-  lights[light] = scene::WriteLight(words);
+  look::LightWords words = look::SplitLight(lights[light]);
+  words.Numbers = words::WriteNumbers(numbers);
+  lights[light] = look::WriteLight(words);
   this->Edited->Change(
     [&lights](scene::Settings& settings) { settings.SetAll("--light", lights); });
 }

@@ -108,7 +108,7 @@ struct Contents
   {
     ++this->Facts.Parts;
     this->Bounds.AddBounds(prop->GetBounds());
-    scene::ForEachDataSet(data, [&](vtkDataSet* block) {
+    reading::ForEachDataSet(data, [&](vtkDataSet* block) {
       this->Is.Add(block);
       this->Facts.Points += block->GetNumberOfPoints();
       this->Facts.Cells += block->GetNumberOfCells();

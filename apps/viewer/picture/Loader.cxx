@@ -71,8 +71,8 @@ void Loader::Read(const scene::Settings& settings, bool pointsOnly)
   {
     const scene::RenderOptions options = settings.Parse();
     scene::CheckInputs(options);
-    scene::Progress progress(this);
-    scene::ReadContext context(progress, options.AllowedFolders);
+    reading::Progress progress(this);
+    reading::ReadContext context(progress, options.AllowedFolders);
     if (!pointsOnly)
     {
       this->Scene = scene::ReadScene(options, context);
@@ -103,13 +103,13 @@ void Loader::End(const QString& trouble)
   }
   this->Scene = scene::Scene();
   this->Points = scene::FramePoints();
-  scene::Messages::TakeNotes();
-  scene::Messages::TakeWarnings();
+  reading::Messages::TakeNotes();
+  reading::Messages::TakeWarnings();
   try
   {
-    scene::Messages::Check("");
+    reading::Messages::Check("");
   }
-  catch (const scene::WorkError&) // the result is not wanted any more
+  catch (const words::WorkError&) // the result is not wanted any more
   {
   }
   if (this->Wanted)

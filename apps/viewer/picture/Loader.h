@@ -23,7 +23,7 @@ namespace viewer
 {
 class Loader
   : public QObject
-  , private scene::ProgressListener
+  , private reading::ProgressListener
 {
   Q_OBJECT
 

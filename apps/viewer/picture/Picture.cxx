@@ -59,14 +59,14 @@ void Picture::CheckShown(const std::string& what) const
 {
   if (this->IsEmpty())
   {
-    throw scene::WorkError(what + ": nothing is shown; open a file first");
+    throw words::WorkError(what + ": nothing is shown; open a file first");
   }
 }
 
 //------------------------------------------------------------------------------
 void Picture::Dress(const scene::Settings& settings, bool keepCamera)
 {
-  scene::Progress progress(this->Listener);
+  reading::Progress progress(this->Listener);
   this->Now.Scene.Update(settings, settings.Parse(), keepCamera, progress);
 }
 
@@ -152,7 +152,7 @@ void Picture::FitClipping()
     return;
   }
   scene::DressedScene& scene = this->Now.Scene;
-  const scene::CameraChoice& choice = this->Other ? *this->Other : scene.GetOptions().View;
+  const look::CameraChoice& choice = this->Other ? *this->Other : scene.GetOptions().View;
   if (choice.Clip)
   {
     this->GetRenderer()->GetActiveCamera()->SetClippingRange(choice.Clip->data());

@@ -22,7 +22,7 @@
 class vtkImageData;
 class vtkRelievoPass;
 
-namespace scene
+namespace reading
 {
 class ProgressListener;
 }
@@ -38,7 +38,7 @@ public:
   void operator=(const Picture&) = delete;
 
   /// Receives the progress of long work, such as reading an environment, during Show and Update.
-  void SetListener(scene::ProgressListener* listener) { this->Listener = listener; }
+  void SetListener(reading::ProgressListener* listener) { this->Listener = listener; }
 
   /// Shows another scene. The camera stays if `keepCamera`, otherwise it is fitted or set by the
   /// settings. Throws like Update; the previous scene then stays.
@@ -53,11 +53,11 @@ public:
 
   bool IsEmpty() const { return !this->GetRenderer(); }
 
-  /// Throws scene::WorkError if the picture is empty.
+  /// Throws words::WorkError if the picture is empty.
   void CheckShown(const std::string& what) const;
 
-  /// Changes the settings of the displayed or given scene. Throws scene::UsageError or
-  /// scene::WorkError; the picture then stays unchanged.
+  /// Changes the settings of the displayed or given scene. Throws words::UsageError or
+  /// words::WorkError; the picture then stays unchanged.
   void Update(const scene::Settings& settings);
 
   /// Whether an update to these settings would read no file.
@@ -85,14 +85,14 @@ public:
   vtkSmartPointer<vtkImageData> Grab();
 
   /// Renders with all light samples, and returns the frame as a baseline, portable or not. Throws
-  /// scene::WorkError.
+  /// words::WorkError.
   vtkSmartPointer<vtkImageData> Capture(bool portable);
 
   /// While one lives, the picture has another camera.
   class OtherCamera
   {
   public:
-    OtherCamera(Picture* picture, const scene::CameraChoice& choice);
+    OtherCamera(Picture* picture, const look::CameraChoice& choice);
     ~OtherCamera();
     OtherCamera(const OtherCamera&) = delete;
     void operator=(const OtherCamera&) = delete;
@@ -121,7 +121,7 @@ private:
   // The camera's pose, and half the height of a parallel view.
   struct Stand
   {
-    scene::CameraPlace Place;
+    look::CameraPlace Place;
     double Scale = 0.0;
     double Angle = 0.0;
     double Aspect = 0.0; // of the view
@@ -129,10 +129,10 @@ private:
   Stand GetStand(double aspect) const;
 
   vtkRenderWindow* Window;
-  scene::ProgressListener* Listener = nullptr;
+  reading::ProgressListener* Listener = nullptr;
   unsigned long Observer;
   Contents Now;
-  std::optional<scene::CameraChoice> Other; // of OtherCamera
+  std::optional<look::CameraChoice> Other; // of OtherCamera
   Stand Chosen, Kept; // the view before its first change of shape, and the resulting view
 };
 }

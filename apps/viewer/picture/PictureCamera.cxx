@@ -28,7 +28,7 @@ void Picture::ResetCamera()
 Picture::Stand Picture::GetStand(double aspect) const
 {
   vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
-  return { scene::GetPlace(camera), camera->GetParallelScale(), camera->GetViewAngle(), aspect };
+  return { look::GetPlace(camera), camera->GetParallelScale(), camera->GetViewAngle(), aspect };
 }
 
 //------------------------------------------------------------------------------
@@ -89,7 +89,7 @@ void Picture::LookAlong(const std::array<double, 3>& direction, const std::array
   if (this->GetRenderer())
   {
     vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
-    const std::array<double, 3> at = scene::GetPlace(camera).FocalPoint;
+    const std::array<double, 3> at = look::GetPlace(camera).FocalPoint;
     camera->SetPosition(at[0] - direction[0], at[1] - direction[1], at[2] - direction[2]);
     camera->SetViewUp(up.data());
     this->ResetCamera();
@@ -109,7 +109,7 @@ void Picture::SetParallel(bool on)
     if (!on)
     {
       // A parallel projection has no view angle.
-      camera->SetViewAngle(this->Now.Shown.Parse().View.Angle.value_or(scene::StandardViewAngle));
+      camera->SetViewAngle(this->Now.Shown.Parse().View.Angle.value_or(look::StandardViewAngle));
     }
     const double half = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
     if (on)
@@ -131,16 +131,16 @@ bool Picture::IsParallel() const
 }
 
 //------------------------------------------------------------------------------
-Picture::OtherCamera::OtherCamera(Picture* picture, const scene::CameraChoice& choice)
+Picture::OtherCamera::OtherCamera(Picture* picture, const look::CameraChoice& choice)
   : Shown(picture)
   , Camera(picture->GetRenderer()->GetActiveCamera())
   , Before(vtkSmartPointer<vtkCamera>::New())
 {
   this->Before->DeepCopy(this->Camera);
   picture->FitClipping(); // a scalar bar that is fitted later would reset the view angle
-  this->Camera->SetViewAngle(scene::StandardViewAngle);
+  this->Camera->SetViewAngle(look::StandardViewAngle);
   const scene::DressedScene& scene = picture->GetScene();
-  scene::PlaceCamera(picture->GetRenderer(), choice, scene.GetOptions().UpAxis, scene.GetBounds());
+  look::PlaceCamera(picture->GetRenderer(), choice, scene.GetOptions().UpAxis, scene.GetBounds());
   picture->Other = choice;
 }
 
@@ -160,17 +160,17 @@ scene::Settings Picture::GetView(const scene::Settings& settings) const
     const int* size = this->Window->GetSize();
     view.Set("--size", std::to_string(size[0]) + "x" + std::to_string(size[1]));
     vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
-    const scene::CameraPlace place = scene::GetPlace(camera);
+    const look::CameraPlace place = look::GetPlace(camera);
     std::vector<double> numbers;
     for (const std::array<double, 3>& each : { place.Position, place.FocalPoint, place.ViewUp })
     {
       numbers.insert(numbers.end(), each.begin(), each.end());
     }
-    view.Set("--camera", scene::WriteNumbers(numbers));
+    view.Set("--camera", words::WriteNumbers(numbers));
     view.Remove("--parallel-scale");
     if (camera->GetParallelProjection())
     {
-      view.Set("--parallel-scale", scene::WriteNumber(camera->GetParallelScale()));
+      view.Set("--parallel-scale", words::WriteNumber(camera->GetParallelScale()));
       view.Remove("--view-angle");
     }
   }

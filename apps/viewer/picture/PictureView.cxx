@@ -247,7 +247,7 @@ PictureView::OtherSize::OtherSize(PictureView* view, const QSize& size)
   const int limit = vtkTextureObject::GetMaximumTextureSize(window);
   if (size.isValid() && std::max(size.width(), size.height()) > limit)
   {
-    throw scene::WorkError(QString("%1x%2 pixels: OpenGL here draws at most %3 each way")
+    throw words::WorkError(QString("%1x%2 pixels: OpenGL here draws at most %3 each way")
                              .arg(size.width())
                              .arg(size.height())
                              .arg(limit)

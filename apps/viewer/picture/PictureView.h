@@ -40,7 +40,7 @@ public:
   void PickNext(bool on);
 
   /// While one lives, the picture has this many pixels, and the vertical angle stays. An invalid
-  /// size means the view's own. Throws scene::WorkError for more pixels than OpenGL can draw.
+  /// size means the view's own. Throws words::WorkError for more pixels than OpenGL can draw.
   class OtherSize
   {
   public:

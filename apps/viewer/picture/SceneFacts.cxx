@@ -76,7 +76,7 @@ bool HasOwnValues(vtkDataSet* block)
 }
 
 // Whether the given name is an array's, without a component.
-bool HasWholeName(const scene::LookChoice& look, const Facts& facts)
+bool HasWholeName(const look::LookChoice& look, const Facts& facts)
 {
   return facts.Components.count(look.ColorByAsGiven) != 0;
 }
@@ -104,7 +104,7 @@ Facts GetFacts(const Picture& picture)
     vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
     if (actor->GetMapper() && shown.IsOfFiles(actor)) // no skeleton
     {
-      scene::ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0), [&](vtkDataSet* block) {
+      reading::ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0), [&](vtkDataSet* block) {
         AddArrays(block, arrays);
         ownValues = ownValues || HasOwnValues(block);
       });
@@ -147,7 +147,7 @@ Facts GetFacts(const Picture& picture)
   std::sort(facts.Layers.begin(), facts.Layers.end());
   facts.Times = scene.Times.value_or(facts.Times);
   std::set<std::string> known;
-  for (const scene::PosedModel& model : scene.Models)
+  for (const reading::PosedModel& model : scene.Models)
   {
     for (int i = 0; i < model.Reader->GetNumberOfAnimations(); ++i)
     {
@@ -161,7 +161,7 @@ Facts GetFacts(const Picture& picture)
   for (const scene::FramePointSet& set : shown.GetPoints())
   {
     Arrays ofPoints;
-    scene::ForEachDataSet(set.Points->GetInputDataObject(0, 0),
+    reading::ForEachDataSet(set.Points->GetInputDataObject(0, 0),
       [&ofPoints](vtkDataSet* block) { AddArrays(block, ofPoints); });
     std::vector<std::string> names;
     for (const auto& array : ofPoints[0])
@@ -195,7 +195,7 @@ std::optional<std::array<double, 2>> GetColorRange(const Picture& picture)
 }
 
 //------------------------------------------------------------------------------
-std::string FindColorLayer(const scene::LookChoice& look, const Facts& facts)
+std::string FindColorLayer(const look::LookChoice& look, const Facts& facts)
 {
   const std::string& name = HasWholeName(look, facts) ? look.ColorByAsGiven : look.ColorBy;
   std::vector<std::string> names = { name, Prefixes[0] + name };
@@ -213,7 +213,7 @@ std::string FindColorLayer(const scene::LookChoice& look, const Facts& facts)
 
 //------------------------------------------------------------------------------
 std::optional<std::array<double, 2>> FindSeenRange(
-  const Picture& picture, const scene::LookChoice& look, const Facts& facts)
+  const Picture& picture, const look::LookChoice& look, const Facts& facts)
 {
   const std::string layer = FindColorLayer(look, facts);
   if (picture.IsEmpty() || layer.empty())
@@ -225,7 +225,7 @@ std::optional<std::array<double, 2>> FindSeenRange(
   source->AddLayer(layer);
   source->Update();
   vtkDataArray* values = source->GetOutput()->GetPointData()->GetArray(layer.c_str());
-  const bool log = scene::Colormap::Parse(look.Colormap).Log;
+  const bool log = look::Colormap::Parse(look.Colormap).Log;
   const bool one = !HasWholeName(look, facts) && look.Component.has_value();
   std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)

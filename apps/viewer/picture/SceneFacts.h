@@ -22,13 +22,13 @@ Facts GetFacts(const Picture& picture);
 std::optional<std::array<double, 2>> GetColorRange(const Picture& picture);
 
 /// The layer of the array that gives the colours; empty: no surface has it, only volumes.
-std::string FindColorLayer(const scene::LookChoice& look, const Facts& facts);
+std::string FindColorLayer(const look::LookChoice& look, const Facts& facts);
 
 /// The smallest and largest visible value of the array that gives the colours; for logarithmic
 /// maps, of positive values. Draws the array's layer without changing the picture. None: no array,
 /// or fewer than two visible values.
 std::optional<std::array<double, 2>> FindSeenRange(
-  const Picture& picture, const scene::LookChoice& look, const Facts& facts);
+  const Picture& picture, const look::LookChoice& look, const Facts& facts);
 
 /// The range of the layer shown in the last picture; infinite or equal: none.
 std::array<double, 2> GetShownRange(const Picture& picture);

@@ -124,7 +124,7 @@ constexpr int SmoothPatience = 500; // milliseconds until the user is told of it
 
 //------------------------------------------------------------------------------
 // Progress of work in the window's own thread: nothing else is painted meanwhile.
-class WorkTeller : public scene::ProgressListener
+class WorkTeller : public reading::ProgressListener
 {
 public:
   WorkTeller(QStatusBar* bar, QLabel* words, QProgressBar* share)
@@ -453,7 +453,7 @@ void MainWindow::SetViewSize(const std::string& words)
   }
   if (share < 1.0)
   {
-    scene::Messages::Note(
+    reading::Messages::Note(
       "--size " + words + ": the screen is too small for this size; the view is smaller");
   }
 }
@@ -520,7 +520,7 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
         }
       }
       const std::string map = colors.Get("--colormap");
-      if (this->Colors.Has("--color-by") && !map.empty() && scene::Colormap::Parse(map).Log)
+      if (this->Colors.Has("--color-by") && !map.empty() && look::Colormap::Parse(map).Log)
       {
         this->Colors.Set("--colormap", map);
       }
@@ -552,7 +552,7 @@ void MainWindow::OpenNext(int step)
   QStringList names;
   for (const QString& name : file.dir().entryList(QDir::Files, QDir::Name))
   {
-    if (scene::HasReader(name.toStdString()))
+    if (reading::HasReader(name.toStdString()))
     {
       names += name;
     }
@@ -1010,11 +1010,11 @@ void MainWindow::TellDropped()
 void MainWindow::TellMessages()
 {
   QStringList notes, warnings;
-  for (const std::string& text : scene::Messages::TakeNotes())
+  for (const std::string& text : reading::Messages::TakeNotes())
   {
     notes += QString::fromStdString(text);
   }
-  for (const std::string& text : scene::Messages::TakeWarnings())
+  for (const std::string& text : reading::Messages::TakeWarnings())
   {
     warnings += QString::fromStdString(text);
   }
@@ -1051,7 +1051,7 @@ void MainWindow::OnDrawn()
   {
     if (!this->Reader->IsBusy()) // otherwise messages belong to the thread
     {
-      scene::Messages::Check("Picture");
+      reading::Messages::Check("Picture");
     }
   }
   catch (const std::exception& error)

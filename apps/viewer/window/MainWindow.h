@@ -25,7 +25,7 @@ class QPushButton;
 class QShortcut;
 class QStackedWidget;
 
-namespace scene
+namespace reading
 {
 class ProgressListener;
 }
@@ -59,7 +59,7 @@ public:
   AxisMarker* GetAxes() { return this->Axes; }
   LightHandles* GetLightHandles() { return this->Handles; }
 
-  /// Shows these settings; files are read in the background. Throws scene::UsageError, and changes
+  /// Shows these settings; files are read in the background. Throws words::UsageError, and changes
   /// nothing, if the command line refuses them.
   void Open(const scene::Settings& settings);
 
@@ -74,7 +74,7 @@ public:
 
   ///@{
   /// Saves pictures with all samples of soft shadows, with a progress bar; if the user cancels,
-  /// nothing is saved. Each throws scene::WorkError or scene::UsageError.
+  /// nothing is saved. Each throws words::WorkError or words::UsageError.
   void OpenSession(const QString& path);
   void SaveSession(const QString& path);
   void SavePicture(const PictureChoice& choice);
@@ -82,10 +82,10 @@ public:
   ///@}
 
   /// Draws the scene with the size of a baseline or picture, and with the camera that a baseline
-  /// records, and shows how it differs from the file. Throws scene::WorkError.
+  /// records, and shows how it differs from the file. Throws words::WorkError.
   void CompareWith(const QString& path);
 
-  /// Saves the displayed comparison as a page for browsers. Throws scene::WorkError.
+  /// Saves the displayed comparison as a page for browsers. Throws words::WorkError.
   void SaveReport(const QString& path);
 
   /// The present settings with camera and size.
@@ -177,7 +177,7 @@ private:
   MessageBar *Message, *Hint;
   QShortcut* StopPlacing;
   QLabel *Words, *Values, *Smoothing;
-  std::unique_ptr<scene::ProgressListener> Teller;
+  std::unique_ptr<reading::ProgressListener> Teller;
   QProgressBar* Bar;
   QPushButton* Cancel;
   QString Trouble;

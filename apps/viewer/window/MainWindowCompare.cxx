@@ -67,7 +67,7 @@ void MainWindow::CompareWith(const QString& path)
   picture.CheckShown("Compare with");
   const std::string place = path.toStdString();
   const auto comparison = vtkSmartPointer<vtkRelievoFrameComparison>::New();
-  scene::Messages::Check(place, !comparison->ReadBaseline(place.c_str()));
+  reading::Messages::Check(place, !comparison->ReadBaseline(place.c_str()));
   const int* size = comparison->GetBaseline()->GetDimensions();
   const std::optional<scene::Settings> recorded =
     scene::GetRecorded(comparison->GetBaseline(), place);
@@ -83,11 +83,11 @@ void MainWindow::CompareWith(const QString& path)
       return;
     }
     const auto end = qScopeGuard([this] { this->Begin(); }); // hides the progress bar
-    scene::Progress progress(this->Teller.get());
+    reading::Progress progress(this->Teller.get());
     progress.Begin("comparing with " + QFileInfo(path).fileName().toStdString());
     comparison->SetFrame(
       picture.Capture(vtkRelievoBaseline::IsPortable(comparison->GetBaseline())));
-    scene::Messages::Check(place, !comparison->Compare());
+    reading::Messages::Check(place, !comparison->Compare());
   }
   this->ComparedWith = path;
   this->Compared = this->Good;
@@ -110,18 +110,18 @@ void MainWindow::SaveReport(const QString& path)
   vtkRelievoFrameComparison* comparison = this->Comparison->GetComparison();
   if (!comparison)
   {
-    throw scene::WorkError("Save report: nothing is compared; compare with a file first");
+    throw words::WorkError("Save report: nothing is compared; compare with a file first");
   }
   vtkNew<vtkRelievoComparisonReport> report;
   report->Add(
     (QFileInfo(this->ComparedWith).fileName() + ", " + this->windowTitle()).toUtf8(), comparison);
   const std::string place = path.toStdString();
-  scene::Outputs outputs;
+  reading::Outputs outputs;
   outputs.Add("Save report", place, { this->ComparedWith.toStdString() });
   std::ofstream file(outputs.Temporary(place), std::ios::binary);
   file << report->GetHTML();
   file.close();
-  scene::Messages::Check(place, !file, "cannot be written; is the disk full?");
+  reading::Messages::Check(place, !file, "cannot be written; is the disk full?");
   outputs.Commit();
   this->SaySaved(path);
 }

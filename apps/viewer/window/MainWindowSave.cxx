@@ -43,13 +43,13 @@ template <typename Writer>
 void Write(const QString& path, vtkImageData* image)
 {
   const std::string place = path.toStdString();
-  scene::Outputs outputs;
+  reading::Outputs outputs;
   outputs.Add("Save", place, {});
   vtkNew<Writer> writer;
   writer->SetInputData(image);
   writer->SetFileName(outputs.Temporary(place).c_str());
   writer->Write();
-  scene::Messages::Check(
+  reading::Messages::Check(
     place, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
   outputs.Commit();
 }
@@ -245,7 +245,7 @@ void MainWindow::SaveLayers(const LayersChoice& choice)
     source->AddLayer(layer);
   }
   source->Update();
-  scene::Messages::Check(choice.Path.toStdString(), source->GetErrorCode() != 0);
+  reading::Messages::Check(choice.Path.toStdString(), source->GetErrorCode() != 0);
   Write<vtkRelievoEXRWriter>(choice.Path, source->GetOutput());
   this->SaySaved(choice.Path);
 }
