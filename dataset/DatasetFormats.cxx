@@ -99,30 +99,29 @@ void WriteLayers(const DatasetStyle& style, const DatasetView& view, const std::
 //------------------------------------------------------------------------------
 bool DatasetStyle::IsValidation(std::size_t view) const
 {
-  const auto place = static_cast<double>(view);
-  return std::floor((place + 1.0) * this->Validation) > std::floor(place * this->Validation);
+  // The margin is for shares such as 0.29, whose multiples are rounded below whole numbers.
+  const auto count = [this](std::size_t views) {
+    constexpr double margin = 1e-9;
+    return std::floor(static_cast<double>(views) * this->Validation + margin);
+  };
+  return count(view + 1) > count(view);
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> DatasetStyle::GetCategories() const
+void DatasetStyle::SetCategories(const std::vector<std::string>& ofObjects)
 {
-  std::vector<std::string> all;
-  for (const std::string& category : this->Categories)
+  this->Categories.clear();
+  this->CategoryOf.clear();
+  std::map<std::string, std::size_t> places;
+  for (const std::string& category : ofObjects)
   {
-    if (std::find(all.begin(), all.end(), category) == all.end())
+    const auto [found, isNew] = places.emplace(category, this->Categories.size());
+    if (isNew)
     {
-      all.push_back(category);
+      this->Categories.push_back(category);
     }
+    this->CategoryOf.push_back(found->second);
   }
-  return all;
-}
-
-//------------------------------------------------------------------------------
-std::size_t DatasetStyle::GetCategory(std::size_t object) const
-{
-  const std::vector<std::string> all = this->GetCategories();
-  const auto found = std::find(all.begin(), all.end(), this->Categories[object]);
-  return static_cast<std::size_t>(found - all.begin());
 }
 
 //------------------------------------------------------------------------------
@@ -194,8 +193,10 @@ bool IsDatasetRecord(const DatasetFormat& format, const Json& record, std::size_
   {
     return false;
   }
+  std::size_t number = 0;
   return std::all_of(record["objects"].begin(), record["objects"].end(), [&](const Json& object) {
-    return hasNumber(object, "object") && IsNumbers(object, "R", 9) && IsNumbers(object, "t", 3) &&
+    return hasNumber(object, "object") && object["object"] == ++number &&
+      IsNumbers(object, "R", 9) && IsNumbers(object, "t", 3) &&
       hasNumber(object, "visible_pixels") && hasNumber(object, "amodal_pixels") &&
       hasNumber(object, "valid_pixels") && IsNumbers(object, "visible_box", 4) &&
       IsNumbers(object, "amodal_box", 4) && format.IsObject(object);

@@ -34,17 +34,18 @@ struct DatasetStyle
   const DatasetFormat* Format = nullptr;
   double DepthStep = 0.0; ///< world units per step of 16-bit depth
   double MillimetersPerUnit = 1000.0;
-  std::vector<std::string> Layers;     ///< requested layers
-  std::vector<std::string> Categories; ///< the category of each object
-  double Validation = 0.0;             ///< share of the views for validation
+  std::vector<std::string> Layers; ///< requested layers
+  double Validation = 0.0;         ///< share of the views for validation
 
   /// Whether a view is for validation: these views are spread evenly.
   bool IsValidation(std::size_t view) const;
 
   ///@{
-  /// All categories, in the order of their first objects, and the place there of an object's.
-  std::vector<std::string> GetCategories() const;
-  std::size_t GetCategory(std::size_t object) const;
+  /// Sets the category of each object. All categories, in the order of their first objects, and
+  /// the place there of an object's.
+  void SetCategories(const std::vector<std::string>& ofObjects);
+  const std::vector<std::string>& GetCategories() const { return this->Categories; }
+  std::size_t GetCategory(std::size_t object) const { return this->CategoryOf[object]; }
   ///@}
 
   /// Hashes of the files written since it was last emptied, by path in the folder.
@@ -55,6 +56,10 @@ struct DatasetStyle
   void Write(const std::string& path, const std::string& bytes) const;
   void Write(const std::string& path, const std::function<bool(const std::string&)>& write) const;
   ///@}
+
+private:
+  std::vector<std::string> Categories;
+  std::vector<std::size_t> CategoryOf; // each object
 };
 
 /// A format: its requirements for views, and the files of a view and of all views. Each is in a

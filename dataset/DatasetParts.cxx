@@ -62,12 +62,17 @@ Dataset ReadDataset(const std::string& folder, WorkCheck check)
   set.Style.DepthStep = Need(settings, path, "depth_step", isNumber);
   set.Style.MillimetersPerUnit = Need(settings, path, "mm_per_unit", isNumber);
   set.Objects = Need(settings, path, "objects", isTexts).get<std::vector<std::string>>();
-  set.Style.Categories =
-    Need(settings, path, "categories", isTexts).get<std::vector<std::string>>();
-  set.Style.Validation = Need(settings, path, "validation", isNumber);
-  if (set.Style.Categories.size() != set.Objects.size())
+  std::vector<std::string> categories = set.Objects;
+  if (settings.contains("categories")) // else an earlier version has begun the folder
   {
-    throw FileError(path + ": has another number of categories than of objects");
+    categories = Need(settings, path, "categories", [&](const Json& json) {
+      return isTexts(json) && json.size() == set.Objects.size();
+    }).get<std::vector<std::string>>();
+  }
+  set.Style.SetCategories(categories);
+  if (settings.contains("validation"))
+  {
+    set.Style.Validation = Need(settings, path, "validation", isNumber);
   }
   set.State.Items = "views";
   set.State.All = Need(settings, path, "views", [](const Json& json) {

@@ -400,10 +400,21 @@ std::vector<std::string> vtkRelievoDatasetWriter::Internals::GetCategories(
   std::vector<std::string> categories = objects;
   for (const auto& [pattern, category] : this->Categories)
   {
+    if (category.empty() || pattern.empty())
+    {
+      throw words::UsageError("category: got '" + category + "' for the objects '" + pattern +
+        "', expected a category and a name or pattern that are not empty");
+    }
+    std::string escaped; // only * and ? are special
+    for (const char letter : pattern)
+    {
+      escaped += letter == '[' || letter == '\\' ? "\\" : "";
+      escaped += letter;
+    }
     bool isFound = false;
     for (std::size_t i = 0; i < objects.size(); ++i)
     {
-      if (fnmatch(pattern.c_str(), objects[i].c_str(), 0) == 0)
+      if (pattern == objects[i] || fnmatch(escaped.c_str(), objects[i].c_str(), 0) == 0)
       {
         categories[i] = category;
         isFound = true;
@@ -554,11 +565,23 @@ void vtkRelievoDatasetWriter::WriteViews()
   style.DepthStep = this->DepthStep > 0.0 ? this->DepthStep : self.GetDepthStep(objects);
   style.MillimetersPerUnit = this->MillimetersPerUnit;
   style.Layers = self.Layers;
-  style.Categories = self.GetCategories(names);
+  const std::vector<std::string> categories = self.GetCategories(names);
+  style.SetCategories(categories);
   style.Validation = this->Validation;
+  int validation = 0;
+  for (int view = 0; view < views; ++view)
+  {
+    validation += style.IsValidation(static_cast<std::size_t>(view)) ? 1 : 0;
+  }
+  if (style.Validation > 0.0 && (validation == 0 || validation == views))
+  {
+    throw words::UsageError("validation: got " + words::WriteNumber(style.Validation) +
+      ", which is " + std::to_string(validation) + " of " + std::to_string(views) +
+      " views; expected 0, or a share that leaves views for training and for validation");
+  }
   const std::string settings = dataset::OpenWorkFolder(self.Directory, dataset::DatasetSettings,
     { { "version", RELIEVO_VERSION }, { "format", format.Name }, { "views", views },
-      { "objects", names }, { "categories", style.Categories }, { "validation", style.Validation },
+      { "objects", names }, { "categories", categories }, { "validation", style.Validation },
       { "layers", self.Layers }, { "depth_step", style.DepthStep },
       { "mm_per_unit", this->MillimetersPerUnit }, { "random_sun", this->RandomSun },
       { "seed", this->Seed }, { "up_axis", std::string(1, "xyz"[this->UpAxis]) },
@@ -643,6 +666,10 @@ void vtkRelievoDatasetWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Directory: " << this->Internal->Directory << "\n";
   os << indent << "Views: " << this->Internal->Cameras.size() << "\n";
   os << indent << "Layers: " << words::Join(this->Internal->Layers, ", ") << "\n";
+  for (const auto& [pattern, category] : this->Internal->Categories)
+  {
+    os << indent << "Category: " << category << " of " << pattern << "\n";
+  }
   os << indent << "ObjectsByBlock: " << this->ObjectsByBlock << "\n";
   this->Parameters.Print(os, indent);
   os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";

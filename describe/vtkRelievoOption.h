@@ -38,7 +38,11 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoOption
 
   // The stage and the parameter in Sets.
   std::string GetStage() const { return this->Sets.substr(0, this->Sets.find(':')); }
-  std::string GetParameter() const { return this->Sets.substr(this->GetStage().size() + 1); }
+  std::string GetParameter() const
+  {
+    const std::size_t colon = this->Sets.find(':');
+    return colon == std::string::npos ? "" : this->Sets.substr(colon + 1);
+  }
 
   struct Bounds
   {

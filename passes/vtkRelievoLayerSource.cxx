@@ -419,9 +419,18 @@ bool vtkRelievoLayerSource::AmendAlpha(vtkRenderer* renderer, vtkImageData* imag
   vtkDataArray* right = linear->GetOutput()->GetPointData()->GetArray(name);
   if (!right || right->GetNumberOfTuples() != color->GetNumberOfTuples())
   {
+    vtkGenericWarningMacro("The alpha of the layer 'color' is that of VTK: the renderer cannot be "
+                           "drawn once more.");
     return false;
   }
-  color->CopyComponent(3, right, 3);
+  for (vtkIdType i = 0; i < color->GetNumberOfTuples(); ++i)
+  {
+    const double alpha = right->GetComponent(i, 3);
+    if (alpha > 0.0) // else there is no surface, but there may be a text
+    {
+      color->SetComponent(i, 3, alpha);
+    }
+  }
   return true;
 }
 

@@ -114,8 +114,8 @@ vtkRelievoModelReader::vtkRelievoModelReader()
     .Advanced = true;
   list.AddFlag("loop", vtkRelievoMember(Loop),
     "Whether the animation starts again after its end; otherwise the end holds.");
-  list.AddNumber(
-    "speed", vtkRelievoMember(Speed), 1e-6, 1e6, "", "Seconds of the animation per unit of time.");
+  list.AddNumber("speed", vtkRelievoMember(Speed), 1e-6, infinity, "",
+    "Seconds of the animation per unit of time.");
   list.AddFlag("skeleton_axes", vtkRelievoMember(SkeletonAxes),
     "Whether the skeleton also has the axes of its joints. Colour by axis_color without mapping "
     "scalars to see x, y and z in red, green and blue.");

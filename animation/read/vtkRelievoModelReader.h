@@ -52,7 +52,7 @@
 #include "vtkRelievoText.h"            // for their names and words
 
 #include <memory> // for std::unique_ptr
-#include <string> // for what was read
+#include <string> // for descriptions of the contents
 #include <vector> // for folders
 
 class vtkActor;
@@ -174,7 +174,7 @@ public:
 
   ///@{
   /** Seconds of the animation per unit of pipeline time, above 0. Default: 1. */
-  vtkSetClampMacro(Speed, double, 1e-6, 1e6);
+  vtkSetClampMacro(Speed, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(Speed, double);
   ///@}
 

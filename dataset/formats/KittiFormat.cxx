@@ -5,6 +5,7 @@
 #include "DatasetView.h"
 
 #include <algorithm>
+#include <array>
 
 namespace dataset
 {
@@ -53,12 +54,13 @@ public:
       {
         continue;
       }
-      const auto inside = static_cast<double>(view.Whole[i].GetCount());
-      const auto all = static_cast<double>(view.Silhouettes[i].Count);
-      const std::array<int, 4> box = view.Whole[i].GetBox();
-      lines += GetWord(categories[style.GetCategory(i)]) + " " +
-        Json(std::clamp(1.0 - inside / all, 0.0, 1.0)).dump() + " " +
-        std::to_string(GetOcclusion(seen / inside)) + " -10 "; // angle of view: unknown
+      const bool isWhole = view.Whole[i].GetCount() > 0;
+      const DatasetMask& whole = isWhole ? view.Whole[i] : view.Visible[i];
+      const auto inside = static_cast<double>(whole.GetCount());
+      const double all = std::max(inside, static_cast<double>(view.Silhouettes[i].Count));
+      const std::array<int, 4> box = whole.GetBox();
+      lines += GetWord(categories[style.GetCategory(i)]) + " " + Json(1.0 - inside / all).dump() +
+        " " + std::to_string(GetOcclusion(seen / inside)) + " -10 "; // angle of view: unknown
       for (const int edge : { box[0], box[1], box[0] + box[2] - 1, box[1] + box[3] - 1 })
       {
         lines += std::to_string(edge) + " ";
@@ -66,12 +68,20 @@ public:
       lines += "-1 -1 -1 -1000 -1000 -1000 -10\n"; // no box in space
     }
     style.Write("training/label_2/" + name + ".txt", lines);
-    std::string matrix = "P2:";
+    // Loaders read all lines: the four cameras of the benchmark's car, and its lidar, are this one.
+    std::string matrix, calibration;
     for (std::size_t k = 0; k < 9; ++k)
     {
       matrix += " " + record["camera"]["K"][k].dump() + (k % 3 == 2 ? " 0.0" : "");
     }
-    style.Write("training/calib/" + name + ".txt", matrix + "\n");
+    for (const char* camera : { "P0:", "P1:", "P2:", "P3:" })
+    {
+      calibration += camera + matrix + "\n";
+    }
+    const std::string moved = " 1.0 0.0 0.0 0.0 0.0 1.0 0.0 0.0 0.0 0.0 1.0 0.0\n";
+    calibration += "R0_rect: 1.0 0.0 0.0 0.0 1.0 0.0 0.0 0.0 1.0\n";
+    calibration += "Tr_velo_to_cam:" + moved + "Tr_imu_to_velo:" + moved;
+    style.Write("training/calib/" + name + ".txt", calibration);
   }
 
   std::vector<std::pair<std::string, std::string>> MakeIndex(const DatasetStyle& style,

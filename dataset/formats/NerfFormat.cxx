@@ -98,11 +98,17 @@ public:
     {
       all.update(DescribeIntrinsics(records[0]["camera"]));
     }
-    for (const Json& record : style.Validation > 0.0 ? records : std::vector<Json>())
+    if (style.Validation > 0.0)
     {
-      const auto view = record["view"].get<std::size_t>();
-      all[style.IsValidation(view) ? "val_filenames" : "train_filenames"].push_back(
-        "images/" + WriteDatasetNumber(view) + ".png");
+      Json training = Json::array(), validation = Json::array();
+      for (const Json& record : records)
+      {
+        const auto view = record["view"].get<std::size_t>();
+        (style.IsValidation(view) ? validation : training)
+          .push_back("images/" + WriteDatasetNumber(view) + ".png");
+      }
+      all["train_filenames"] = training;
+      all["val_filenames"] = all["test_filenames"] = validation; // nerfstudio needs all three
     }
     all["frames"] = Json::array();
     for (const Json& record : records)

@@ -24,7 +24,7 @@ public:
   void WriteView(const DatasetStyle& style, const DatasetView& view, const DatasetObjects&,
     const Json& record, const std::string& name) const override
   {
-    const std::string split = style.IsValidation(record["view"]) ? "val/" : "train/";
+    const std::string split = style.IsValidation(record["view"]) ? "val" : "train";
     WriteDatasetPictures(style, view, "images/" + split, name);
     std::string lines;
     for (std::size_t i = 0; i < view.Visible.size(); ++i)
@@ -43,7 +43,7 @@ public:
       }
       lines += "\n";
     }
-    style.Write("labels/" + split + name + ".txt", lines);
+    style.Write("labels/" + split + "/" + name + ".txt", lines);
   }
 
   std::vector<std::pair<std::string, std::string>> MakeIndex(const DatasetStyle& style,

@@ -159,7 +159,8 @@ def _name_categories(writer, categories):
                  for name, objects in categories.items()]
     except (AttributeError, TypeError):
         pairs = [(None, [])]
-    if not all(isinstance(each, str) for name, objects in pairs for each in (name, *objects)):
+    if not all(objects and all(isinstance(each, str) for each in (name, *objects))
+               for name, objects in pairs):
         raise ValueError(f"categories: got {describe(categories)}, expected a dictionary of "
                          "categories with the names of their objects")
     for name, objects in pairs:

@@ -11,10 +11,12 @@
 #include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDiscreteFlyingEdges3D.h"
 #include "vtkExtractVOI.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkIdList.h"
 #include "vtkImageConstantPad.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -32,6 +34,7 @@
 #include "vtkWindowedSincPolyDataFilter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -444,8 +447,33 @@ public:
 
 vtkStandardNewMacro(FoundOpacity);
 
-// The points of an image with left-handed axes, in the opposite order along x: VTK culls the front
-// of such a volume.
+// Copies the values of points or cells in the opposite order along an axis.
+void Reverse(vtkDataSetAttributes* from, const std::array<vtkIdType, 3>& size, int axis,
+  vtkDataSetAttributes* to)
+{
+  const auto [columns, rows, slices] = size;
+  to->CopyAllOn();
+  to->CopyAllocate(from, columns * rows * slices);
+  vtkNew<vtkIdList> source, target; // a row
+  source->SetNumberOfIds(columns);
+  target->SetNumberOfIds(columns);
+  for (vtkIdType row = 0; row < rows * slices; ++row)
+  {
+    const vtkIdType j = row % rows, k = row / rows;
+    const vtkIdType other =
+      (axis == 2 ? slices - 1 - k : k) * rows + (axis == 1 ? rows - 1 - j : j);
+    for (vtkIdType i = 0; i < columns; ++i)
+    {
+      source->SetId(i, other * columns + (axis == 0 ? columns - 1 - i : i));
+      target->SetId(i, row * columns + i);
+    }
+    to->CopyData(from, source, target);
+  }
+}
+
+// An image with left-handed axes in the opposite order along one of them: VTK culls the front of such
+// a volume. The axis is the one that points most against its own of the world, because VTK shades
+// by the gradients of images without a direction.
 vtkSmartPointer<vtkImageData> WithRightHandedAxes(vtkImageData* image)
 {
   vtkMatrix3x3* direction = image->GetDirectionMatrix();
@@ -453,29 +481,34 @@ vtkSmartPointer<vtkImageData> WithRightHandedAxes(vtkImageData* image)
   {
     return image;
   }
+  int axis = 0;
+  for (const int other : { 1, 2 })
+  {
+    axis = direction->GetElement(other, other) < direction->GetElement(axis, axis) ? other : axis;
+  }
   auto made = vtkSmartPointer<vtkImageData>::New();
   made->CopyStructure(image);
-  const int* extent = image->GetExtent();
+  const int* extent = image->GetExtent() + 2 * axis;
   double origin[3];
   vtkNew<vtkMatrix3x3> turned;
   turned->DeepCopy(direction);
   for (int k = 0; k < 3; ++k)
   {
-    const double axis = direction->GetElement(k, 0);
-    origin[k] = image->GetOrigin()[k] + axis * image->GetSpacing()[0] * (extent[0] + extent[1]);
-    turned->SetElement(k, 0, -axis);
+    const double along = direction->GetElement(k, axis);
+    origin[k] = image->GetOrigin()[k] + along * image->GetSpacing()[axis] * (extent[0] + extent[1]);
+    turned->SetElement(k, axis, -along);
   }
   made->SetOrigin(origin);
   made->SetDirectionMatrix(turned);
-  const vtkIdType columns = image->GetDimensions()[0];
-  const vtkIdType points = image->GetNumberOfPoints();
-  made->GetPointData()->CopyAllOn();
-  made->GetPointData()->CopyAllocate(image->GetPointData(), points);
-  for (vtkIdType i = 0; i < points; ++i)
+  std::array<vtkIdType, 3> points, cells;
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    const vtkIdType column = i % columns;
-    made->GetPointData()->CopyData(image->GetPointData(), i - column + columns - 1 - column, i);
+    points[k] = image->GetDimensions()[k];
+    cells[k] = std::max<vtkIdType>(1, points[k] - 1);
   }
+  Reverse(image->GetPointData(), points, axis, made->GetPointData());
+  made->GetCellData()->Initialize(); // CopyStructure has passed the blanked cells
+  Reverse(image->GetCellData(), cells, axis, made->GetCellData());
   return made;
 }
 

@@ -154,12 +154,28 @@ std::string VideoFile::GetErrors() const
 }
 
 //------------------------------------------------------------------------------
+// The system's message if a file could not grow; otherwise empty. When the disk is full, ffmpeg 5
+// may print it and exit with 0.
+std::string VideoFile::GetSystemError() const
+{
+  const std::string text = this->GetErrors();
+  for (const int error : { ENOSPC, EDQUOT, EFBIG, EIO })
+  {
+    const char* message = std::strerror(error);
+    if (text.find(message) != std::string::npos)
+    {
+      return message;
+    }
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
 // Throws with the system's message or with the last line that ffmpeg has printed.
 void VideoFile::Fail()
 {
-  std::string text = this->GetErrors();
-  const std::string full = "No space left on device";
-  text = text.find(full) != std::string::npos ? full : text;
+  std::string text = this->GetSystemError();
+  text = text.empty() ? this->GetErrors() : text;
   text.erase(0, text.rfind('\n') + 1); // npos + 1 is 0
   throw FileError(this->Name + ": ffmpeg cannot write it" + (text.empty() ? "" : ": " + text));
 }
@@ -207,8 +223,7 @@ void VideoFile::Finish()
   {
   }
   this->Process = 0;
-  // When the disk is full, ffmpeg 5 may say so and exit with 0.
-  if (status != 0 || !this->GetErrors().empty())
+  if (status != 0 || !this->GetSystemError().empty())
   {
     this->Fail();
   }

@@ -43,6 +43,7 @@ public:
 
 private:
   std::string GetErrors() const;
+  std::string GetSystemError() const;
   [[noreturn]] void Fail();
 
   std::string Name;

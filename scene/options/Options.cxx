@@ -853,7 +853,7 @@ void CheckOutputs(const RenderOptions& options)
 {
   if (options.Files.empty())
   {
-    throw UsageError("render: no FILE given; see relievo --help");
+    throw UsageError("render: no FILE given; see relievo render --help");
   }
   if (options.PNG.empty() && options.EXR.empty() && options.Baseline.empty() &&
     options.Report.empty() && options.Motion.Video.empty() && !options.Certify)

@@ -147,6 +147,7 @@ class Dataset(CliTest):
                         says=["whole: was begun with", "give another folder"])  # fmt: skip
         self.check_parts(command[4:-1])
         self.check_models()
+        self.check_splits()
 
     def check_models(self):
         """A damaged model is found, and written again by the part of the first view."""
@@ -162,6 +163,28 @@ class Dataset(CliTest):
         shutil.rmtree(self.folder / "parts" / "progress")
         self.relievo("verify", "parts")
         self.check_same("whole-bop", "parts")
+        shutil.rmtree(self.folder / "parts")
+
+    def check_splits(self):
+        """Views for validation and categories are those of one process after parts are merged."""
+        words = ["--poses", "orbit:5", "--format", "yolo", "--validation", "0.4", "--category",
+                 "block=n*r,far"]  # fmt: skip
+        self.dataset("whole-yolo", *words)
+        for part in ("2/2", "1/2"):
+            self.dataset("parts", *words, "--part", part)
+        self.assertIn("data.yaml is missing", self.verify())
+        self.relievo("merge", "parts")
+        self.relievo("verify", "parts")
+        self.check_same("whole-yolo", "parts")
+        self.assertEqual(len(list((self.folder / "parts" / "labels" / "val").iterdir())), 2)
+        names = (self.folder / "parts" / "data.yaml").read_text().split("names:\n")[1]
+        self.assertEqual(names, '  0: "block"\n')
+        # A folder that was begun without these settings has none.
+        settings = self.folder / "parts" / "dataset.json"
+        old = self.json("parts", "dataset.json")
+        del old["categories"], old["validation"]
+        settings.write_text(json.dumps(old))
+        self.assertIn("5 of another version or other settings", self.verify())
 
     def check_parts(self, words):
         """The views in parts, some of them ended by a signal; then with damaged files."""

@@ -237,6 +237,11 @@ class Motion(CliTest):
                          status=1, says=[f"a.mkv: ffmpeg cannot write it: {says}"],
                          environment=environment)  # fmt: skip
             self.assertEqual((self.folder / "a.mkv").read_text(), "old")
+        # Other messages, such as those of the system's loader, are no failure.
+        harmless = ('echo libx: no version information >&2\ncat >/dev/null\n'
+                    'for last; do :; done\necho new >"${last#file:}"\n')
+        self.draw("--turntable", 2, "--video", "a.mkv", environment=self.fake_ffmpeg(harmless))
+        self.assertEqual((self.folder / "a.mkv").read_text(), "new\n")
 
     def test_wrong_words(self):
         write_path(self.folder / "path.json", [(0, (0, 0, 5), (0, 0, 0), (0, 1, 0)),

@@ -72,7 +72,7 @@ class Volumes(CliTest):
             found[name + ".V"][shown] for name in layers)  # fmt: skip
 
     def test_left_handed_axes(self):
-        """A volume looks the same however it is stored, but for VTK's shading of turned images."""
+        """A volume looks the same however it is stored."""
         z, y, x = numpy.mgrid[0:SIDE, 0:SIDE, 0:SIDE]
         values = numpy.exp(-((x - 12) ** 2 + (y - 16) ** 2 + (z - 24) ** 2) / 60)
 
@@ -84,9 +84,9 @@ class Volumes(CliTest):
         plain = drawn()
         empty = drawn("--opacity-curve", "0/0,1/0", says="shows only the background")
         self.assertGreater((numpy.abs(plain - empty).max(axis=-1) > 20).sum(), 200)
-        for axis, limit in ((0, 0), (2, 20)):
+        for axis in range(3):
             self.image("a.vti", values, mirrored=axis)
-            self.assertLessEqual(numpy.abs(drawn() - plain).max(), limit, axis)
+            self.assertLessEqual(numpy.abs(drawn() - plain).max(), 1, axis)
 
     def test_labels(self):
         """Two halves of a ball, with no gap between them, each in a colour of its own."""

@@ -61,7 +61,8 @@ def copy_tree(source, tree):
 
 
 def copy_new(source, tree):
-    """A tree of the files that were written, and of their module; houseChecks has the others."""
+    """A tree of the files that were written, with their module and all headers; houseChecks has the
+    others."""
     folder = tree.with_name("written")
     shutil.rmtree(folder, ignore_errors=True)
     for path in tree.rglob("*"):
@@ -69,7 +70,9 @@ def copy_new(source, tree):
         if not path.is_file() or name.parts[0] == "build":
             continue
         known = (source / name).is_file() and filecmp.cmp(source / name, path, shallow=False)
-        if not known or name.parts[0] == "passes" or name.name == ".clang-format":
+        if not known or name.parts[0] == "passes" or name.suffix in (".h", ".module") or (
+            name.name == ".clang-format"
+        ):
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(path, folder / name)
     return folder

@@ -272,6 +272,17 @@ class Windows(unittest.TestCase):
                     self.assertAlmostEqual(color[place][3], alpha, delta=0.006, msg=how)
                 expected = numpy.array(blue) * 255 * (alpha > 0)
                 numpy.testing.assert_allclose(pixel[:3], expected, atol=6, err_msg=str(place))
+        # Letters over nothing are opaque.
+        text = vtkTextActor()
+        text.SetInput("H")
+        text.GetTextProperty().SetFontSize(24)
+        text.SetPosition(32, 32)
+        renderer.AddViewProp(text)
+        renderer.SetUseDepthPeeling(False)
+        color = relievo.layer(relievo.capture(renderer, "color", size=(80, 80)), "color")
+        letters = color[:, :, :3].min(axis=-1) > 0.95
+        self.assertGreater(letters.sum(), 20)
+        numpy.testing.assert_allclose(color[letters][:, 3], 1, atol=0.06)
         self.assertEqual(renderer.GetBackground(), (0.2, 0.4, 0.6))
 
     def test_without_a_window(self):

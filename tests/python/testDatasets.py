@@ -433,11 +433,9 @@ class Datasets(unittest.TestCase):
                                  [f"{name}.{ending}" for name in listed])  # fmt: skip
             lists = self.folder / "kitti" / "ImageSets" / f"{part}.txt"
             self.assertEqual(lists.read_text().split(), listed)
-        hidden = 0
         for view in range(4):
             found = numpy.load(self.folder / "npz" / f"{view:06d}.npz")
             seen = [i for i in range(4) if found["visible_masks"][i].any()]
-            hidden += 4 - len(seen)
             part = "val" if view in (1, 3) else "train"
             lines = (yolo / "labels" / part / f"{view:06d}.txt").read_text().splitlines()
             boxes = []
@@ -461,12 +459,14 @@ class Datasets(unittest.TestCase):
                                         *"-1 -1 -1 -1000 -1000 -1000 -10".split()])  # fmt: skip
                 inside = left > 0 and top > 0 and left + wide < SIZE[0] and top + high < SIZE[1]
                 self.assertLess(float(beyond), 1e-9 if inside else 1)
-            words = (kitti / "calib" / f"{view:06d}.txt").read_text().split()
-            self.assertEqual(words[0], "P2:")
-            matrix = numpy.array(words[1:], float).reshape(3, 4)
+            lines = (kitti / "calib" / f"{view:06d}.txt").read_text().splitlines()
+            self.assertEqual([line.split(":")[0] for line in lines],
+                             ["P0", "P1", "P2", "P3", "R0_rect", "Tr_velo_to_cam",
+                              "Tr_imu_to_velo"])  # fmt: skip
+            matrix = numpy.array(lines[2].split()[1:], float).reshape(3, 4)
             numpy.testing.assert_array_equal(matrix, numpy.column_stack([found["K"], [0, 0, 0]]))
         one = read_json(yolo / "views" / "000001.json")["files"]
-        self.assertIn("labels/val/000001.txt", one)
+        self.assertLessEqual({"labels/val/000001.txt", "images/val/000001.png"}, set(one))
 
     def test_truncated(self):
         """KITTI's share beyond the picture, of a plate that is half outside, is a half."""
@@ -480,7 +480,7 @@ class Datasets(unittest.TestCase):
         self.assertAlmostEqual(float(line[1]), 9 / 19, delta=1e-9)
 
     def test_categories_and_validation(self):
-        """Categories group objects; views for validation are apart, also after parts are merged."""
+        """Categories group objects; views for validation are apart."""
         renderer = heap()
         cameras = [*around(), *around()]
         for each in ("one", "many"):
@@ -506,7 +506,17 @@ class Datasets(unittest.TestCase):
         relievo.write_dataset(renderer, cameras, self.folder / "nerf", "nerf", validation=0.4)
         index = read_json(self.folder / "nerf" / "transforms.json")
         self.assertEqual(index["val_filenames"], ["images/000002.png", "images/000004.png"])
+        self.assertEqual(index["test_filenames"], index["val_filenames"])
         self.assertEqual(len(index["train_filenames"]), 4)
+        relievo.write_dataset(vtkRenderer(), around() * 34, self.folder / "rounding", "kitti",
+                              validation=0.29, size=(8, 8))  # fmt: skip
+        listed = (self.folder / "rounding" / "ImageSets" / "val.txt").read_text().split()
+        self.assertEqual(len(listed), 29)  # of 102
+        relievo.write_dataset(renderer, cameras[0], self.folder / "signs", "yolo",
+                              objects=["m[1]", "m\\2", "m3", "m?"],
+                              categories={"a": ["m[1]", "m\\2"], "b": "m?"})  # fmt: skip
+        self.assertEqual(read_json(self.folder / "signs" / "dataset.json")["categories"],
+                         ["a", "b", "b", "b"])  # fmt: skip
         folder = self.folder / "none"
         for words, says in (
             ({"format": "bop", "validation": 0.5}, "validation: cannot be written in the format "
@@ -517,7 +527,10 @@ class Datasets(unittest.TestCase):
             ({"format": "coco", "categories": {"a": ["mug*"]}},
              r"category a: no object is called mug\*; expected a name or pattern of actor_0"),
             *(({"format": "coco", "categories": wrong}, "categories: got .*expected a dictionary")
-              for wrong in (["a"], {"a": 5}, {"a": [5]}, {5: ["a"]})),
+              for wrong in (["a"], {"a": 5}, {"a": [5]}, {5: ["a"]}, {"a": []})),
+            ({"format": "yolo", "categories": {"": ["ball"]}}, "category: got '' for the objects"),
+            *(({"format": "yolo", "validation": share}, f"validation: got {share}, which is "
+               f"{count} of 6 views") for share, count in ((0.1, 0), (1, 6))),
         ):
             with self.subTest(words), self.assertRaisesRegex(ValueError, says):
                 relievo.write_dataset(renderer, cameras, folder, **words)
@@ -751,6 +764,9 @@ class Datasets(unittest.TestCase):
             for part in ("R", "t", "size"):
                 camera = {key: whole["camera"][key] for key in whole["camera"] if key != part}
                 damaged.append({**whole, "camera": camera})
+            for number in (0, 99):
+                damaged.append(json.loads(json.dumps(whole)))
+                damaged[-1]["objects"][0]["object"] = number
             for part in ("t", "visible_pixels"):
                 damaged.append(json.loads(json.dumps(whole)))
                 del damaged[-1]["objects"][0][part]

@@ -33,7 +33,7 @@ class ComparisonPanel : public QWidget
 public:
   explicit ComparisonPanel(QWidget* parent = nullptr);
 
-  /// Shows the result of a comparison. `about` says what was compared.
+  /// Shows the result of a comparison. `about` names the frames.
   void Show(vtkRelievoFrameComparison* comparison, const QString& about);
 
   /// The displayed comparison; null: none.
