@@ -136,7 +136,7 @@ end = 0.5 * numpy.cos(numpy.pi / 7)
 low, high = altitude[there].min(), altitude[there].max()
 assert -end <= low < 0.008 - end and end - 0.008 < high <= end, (low, high)
 view.RelievoDisplayLayer, view.RelievoDisplayGrey = "altitude", 1
-view.RelievoDisplayRange = [-0.5, 0.5]
+view.RelievoDisplayRange, view.RelievoDisplayLegend = [-0.5, 0.5], 0
 shown = vtk_to_numpy(view.SMProxy.CaptureWindow(1).GetPointData().GetScalars())
 expected = 255 * (altitude[there] + 0.5)
 assert numpy.abs(shown[there] - expected[:, None]).max() <= 1
