@@ -19,6 +19,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkPointGaussianMapper,
     vtkPolyDataMapper,
     vtkRenderer,
+    vtkTextActor,
     vtkWindowToImageFilter,
 )
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass
