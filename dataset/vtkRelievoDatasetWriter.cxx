@@ -10,6 +10,7 @@
 #include "DatasetView.h"
 #include "Errors.h"
 #include "Messages.h"
+#include "Numbers.h"
 #include "Outcome.h"
 #include "Values.h"
 #include "WorkFolder.h"
