@@ -131,6 +131,11 @@ class Examples(unittest.TestCase):
         cls.copies = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.copies.cleanup)
         cls.ran = {}
+        cls.runner = subprocess.Popen(
+            [sys.executable, pathlib.Path(__file__).with_name("runForked.py")], stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE, text=True, env={**os.environ, "PYTHONPATH": paths_of(EXAMPLES)},
+        )  # fmt: skip
+        cls.addClassCleanup(cls.runner.__exit__, None, None, None)
 
     def run_example(self, name):
         """The example's output; its files are in self.folder / "out". It runs once for all."""
@@ -140,15 +145,12 @@ class Examples(unittest.TestCase):
             script = EXAMPLES / name
             if name in SMALLER:
                 script = write_smaller(name, pathlib.Path(self.copies.name))
-            done = subprocess.run(
-                [sys.executable, script, folder / "out", *WORDS.get(name, [])], cwd=folder,
-                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600,
-                env={**os.environ, "PYTHONPATH": paths_of(EXAMPLES)},
-            )  # fmt: skip
-            self.ran[name] = folder, done
-        self.folder, done = self.ran[name]
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        return done.stdout
+            words = [str(folder / "out"), *WORDS.get(name, [])]
+            print(json.dumps([str(script), str(folder), words]), file=self.runner.stdin, flush=True)
+            self.ran[name] = folder, json.loads(self.runner.stdout.readline())
+        self.folder, (status, output, errors) = self.ran[name]
+        self.assertEqual((status, errors), (0, ""))
+        return output
 
     def test_all_are_known(self):
         there = sorted(path.name for path in EXAMPLES.glob("[0-9]*.py"))

@@ -349,17 +349,22 @@ void TestOthers()
 RELIEVO_TEST_CASE(testShadowExact)
 {
   relievoTest::Session session;
-  if (argc > 1 && std::string(argv[1]) == "few")
+  const std::string which = argc > 1 ? argv[1] : "";
+  if (which == "few")
   {
     TestHorizon();
     TestPanes();
     TestTroubles();
     return session.Result();
   }
+  if (which == "meshes") // other lights and shapes, which all versions of VTK draw alike
+  {
+    TestMesh("bunny", SceneLight::Spot, 400, 225);
+    TestMesh("motorBike", SceneLight::Sun, 300, 300);
+    TestMesh("buildings", SceneLight::Point, 200, 600);
+    return session.Result();
+  }
   TestMesh("bunny", SceneLight::Sun, 300, 300);
-  TestMesh("bunny", SceneLight::Spot, 400, 225);
-  TestMesh("motorBike", SceneLight::Sun, 300, 300);
-  TestMesh("buildings", SceneLight::Point, 200, 600);
   TestSmall(SceneLight::Sun);
   TestSmall(SceneLight::Spot);
   TestSmall(SceneLight::Point);
