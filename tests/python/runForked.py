@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs scripts, each in a process of its own that has imported relievo: it is forked from this one, which
-draws nothing. Each line of the input is [SCRIPT, FOLDER, [WORD...]] as JSON, each line of the output
-[STATUS, OUTPUT, ERRORS]."""
+"""Runs scripts, each in a process of its own that has imported relievo: it is forked from this one,
+which draws nothing. Each line of the input is [SCRIPT, FOLDER, [WORD...]] as JSON, each line of the
+output [STATUS, OUTPUT, ERRORS]."""
 
 import json
 import os

@@ -132,8 +132,9 @@ class Examples(unittest.TestCase):
         cls.addClassCleanup(cls.copies.cleanup)
         cls.ran = {}
         cls.runner = subprocess.Popen(
-            [sys.executable, pathlib.Path(__file__).with_name("runForked.py")], stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE, text=True, env={**os.environ, "PYTHONPATH": paths_of(EXAMPLES)},
+            [sys.executable, pathlib.Path(__file__).with_name("runForked.py")],
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+            env={**os.environ, "PYTHONPATH": paths_of(EXAMPLES)},
         )  # fmt: skip
         cls.addClassCleanup(cls.runner.__exit__, None, None, None)
 
