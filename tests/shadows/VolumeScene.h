@@ -17,6 +17,7 @@
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkRelievoOpticalDepths.h>
+#include <vtkRelievoPlacedVolume.h>
 #include <vtkRelievoVolumeExtinction.h>
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
