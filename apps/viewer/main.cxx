@@ -35,9 +35,9 @@ const char* const Help =
   "  relievo-viewer SESSION.json\n"
   "  relievo-viewer --help | --version\n"
   "\n"
-  "Files and options are those of `relievo render`; see relievo render --help. Outputs are not written:\n"
-  "save them from the window. --once ends the program when its first picture is on the screen,\n"
-  "and prints the picture's size; or with status 1 if there can be none.\n";
+  "Files and options are those of `relievo render`; see relievo render --help. Outputs are\n"
+  "not written: save them from the window. --once ends the program when its first picture is on\n"
+  "the screen, and prints the picture's size; or with status 1 if there can be none.\n";
 
 bool Has(const std::vector<std::string>& words, const char* word)
 {

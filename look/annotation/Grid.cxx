@@ -51,16 +51,44 @@ int GetShorterSide(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-// Projects points to pixels of the renderer.
+// How many times as large as its window a picture is that the window draws in tiles.
+int GetMagnification(vtkRenderWindow* window)
+{
+  return window->GetTileScale()[1];
+}
+
+//------------------------------------------------------------------------------
+// The lower left pixel of the part of the renderer's picture that is drawn. Not 0 in tiles.
+std::array<double, 2> GetTileOrigin(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  int size[2];
+  int origin[2]; // in the tile
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  double tile[4];
+  window->GetTileViewport(tile);
+  std::array<double, 2> place{};
+  for (int i = 0; i < 2; ++i)
+  {
+    place[static_cast<std::size_t>(i)] =
+      std::round(tile[i] * window->GetSize()[i]) + origin[i] - renderer->GetOrigin()[i];
+  }
+  return place;
+}
+
+//------------------------------------------------------------------------------
+// Projects points to pixels of the renderer. The camera of a tile sees only that.
 class Projection
 {
 public:
   explicit Projection(vtkRenderer* renderer)
     : Size{ static_cast<double>(renderer->GetSize()[0]),
       static_cast<double>(renderer->GetSize()[1]) }
+    , Origin(GetTileOrigin(renderer))
     , Matrix(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
         renderer->GetTiledAspectRatio(), -1.0, 1.0))
   {
+    renderer->GetTiledSize(&this->Tile[0], &this->Tile[1]);
   }
 
   /// None for points beside or behind the camera.
@@ -73,8 +101,8 @@ public:
     {
       return std::nullopt;
     }
-    return std::array<double, 2>{ 0.5 * (to[0] / to[3] + 1.0) * this->Size[0],
-      0.5 * (to[1] / to[3] + 1.0) * this->Size[1] };
+    return std::array<double, 2>{ this->Origin[0] + 0.5 * (to[0] / to[3] + 1.0) * this->Tile[0],
+      this->Origin[1] + 0.5 * (to[1] / to[3] + 1.0) * this->Tile[1] };
   }
 
   bool IsInside(const std::array<double, 2>& pixel) const
@@ -86,6 +114,8 @@ public:
   const std::array<double, 2> Size;
 
 private:
+  const std::array<double, 2> Origin;
+  std::array<int, 2> Tile{};
   vtkMatrix4x4* Matrix;
 };
 }
@@ -231,11 +261,12 @@ void Grid::Execute(vtkObject* caller, unsigned long, void*)
     return;
   }
   const int side = GetShorterSide(renderer);
+  const int unmagnified = side / GetMagnification(window); // VTK magnifies texts in tiles
   const bool isPrinted = this->Print.Width > 0.0;
   this->Lines->GetProperty()->SetLineWidth(static_cast<float>(
     std::max(1.0, isPrinted ? this->Print.GetLineWidth() : std::round(side / FineLine))));
   const double pixels =
-    isPrinted ? this->Print.GetTextSize() : std::max(SmallestText, side / LinesOfText);
+    isPrinted ? this->Print.GetTextSize() : std::max(SmallestText, unmagnified / LinesOfText);
   this->Font->SetFontSize(static_cast<int>(std::lround(pixels * 72.0 / window->GetDPI())));
   const Sides far = this->FindFarSides(renderer);
   const Edges numbered = this->PlaceLabels(renderer, far);
@@ -383,7 +414,8 @@ Grid::Box Grid::GetBox(vtkRenderer* renderer, const Label& label) const
   vtkTextRenderer::GetInstance()->GetBoundingBox(
     this->Font, label.Text->GetInput(), extent.data(), renderer->GetRenderWindow()->GetDPI());
   Box box;
-  box.Size = { extent[1] - extent[0] + 1.0, extent[3] - extent[2] + 1.0 };
+  const int times = GetMagnification(renderer->GetRenderWindow());
+  box.Size = { times * (extent[1] - extent[0] + 1.0), times * (extent[3] - extent[2] + 1.0) };
   return box;
 }
 

@@ -53,6 +53,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow,
     vtkTextActor,
     vtkVolume,
+    vtkWindowToImageFilter,
 )
 from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
@@ -463,6 +464,26 @@ class Scene(unittest.TestCase):
         with self.assertLogs("relievo", "INFO"):
             self.picture(scene.set(grid=None, point_size=65))
         self.assertRegex(" ".join(scene.notes), "--point-size needs all of it")
+
+    def test_a_magnified_grid(self):
+        """Numbers stay at their lines in pictures that VTK draws in tiles."""
+        scene = relievo.scene(self.mesh, size=(480, 400), preset="print", grid=True)
+        for prop in scene.renderer.GetViewProps():
+            prop.SetVisibility(prop.IsA("vtkTextActor"))
+        inks = []
+        for scale in (1, 2):
+            grab = vtkWindowToImageFilter()
+            grab.SetInput(scene.window)
+            grab.SetScale(scale)
+            grab.ReadFrontBufferOff()
+            grab.Update()
+            ink = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).min(axis=-1) < 128
+            inks.append(ink.reshape(400, scale, 480, scale).any(axis=(1, 3)))
+        self.assertGreater(min(ink.sum() for ink in inks), 100)
+        for first, second in (inks, inks[::-1]):
+            near = sum(numpy.roll(second, (i, j), (0, 1)) for i in range(-4, 5)
+                       for j in range(-4, 5))  # fmt: skip
+            self.assertGreater((near > 0)[first].mean(), 0.9)
 
     def test_a_window_of_ones_own(self):
         """The renderer lives in the window that was given, beside another."""
