@@ -60,8 +60,8 @@ float relievoShadowPart(int light, int first, vec3 position, vec3 normalVC)
   float surface = place.z + dot(slope, vec2(at) - place.xy);
   float seen = relievoShadowDepthAt(layer, at);
   float texels = place.z * max(abs(chosen.x), abs(chosen.y));
-  // Neighbouring texels need no tracing.
-  bool traced = open && texels > 1.0;
+  // Neighbouring texels need no tracing, and places outside of the map are lit.
+  bool traced = open && texels > 1.0 && relievoShadowSees(place);
   open = open && (traced || !(seen < surface));
   float steps = clamp(ceil(2.0 * texels), 3.0, relievoShadowSteps);
   // Position of the lookups within the steps.
