@@ -35,7 +35,8 @@ const char* const Help =
   "  relievo-viewer SESSION.json\n"
   "  relievo-viewer --help | --version\n"
   "\n"
-  "Files and options are those of `relievo render`; see relievo render --help. Outputs are not written:\n"
+  "Files and options are those of `relievo render`; see relievo render --help. Outputs are not "
+  "written:\n"
   "save them from the window. --once ends the program when its first picture is on the screen,\n"
   "and prints the picture's size; or with status 1 if there can be none.\n";
 
