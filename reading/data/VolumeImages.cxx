@@ -471,9 +471,9 @@ void Reverse(vtkDataSetAttributes* from, const std::array<vtkIdType, 3>& size, i
   }
 }
 
-// An image with left-handed axes in the opposite order along one of them: VTK culls the front of such
-// a volume. The axis is the one that points most against its own of the world, because VTK shades
-// by the gradients of images without a direction.
+// An image with left-handed axes in the opposite order along one of them: VTK culls the front of
+// such a volume. The axis is the one that points most against its own of the world, because VTK
+// shades by the gradients of images without a direction.
 vtkSmartPointer<vtkImageData> WithRightHandedAxes(vtkImageData* image)
 {
   vtkMatrix3x3* direction = image->GetDirectionMatrix();

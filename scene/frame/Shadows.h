@@ -21,8 +21,8 @@ int CountLights(vtkRenderer* renderer);
 /// Sets which lights and props cast shadows, and the size of lights.
 void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
 
-/// Sets the casters and the sizes of lights, and whether the pass waits for samples. Throws UsageError if the maps exceed the limits of
-/// the window's OpenGL.
+/// Sets the casters and the sizes of lights, and whether the pass waits for samples. Throws
+/// UsageError if the maps exceed the limits of the window's OpenGL.
 void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
 }
 

@@ -97,8 +97,8 @@ def main(source, cmake=None, ctest=None, *options):
     assert f"| [{page}]({page}) | mist in front of what is far |\n" in listed, listed
     listed = (tree / "docs" / "site" / "guide.md").read_text(encoding="utf-8")
     assert f"\npasses/{NAME}\n" in listed, listed
-    check = subprocess.run([tree / "tools" / "check", "--no-tidy", "--tree", copy_new(source, tree)],
-                           capture_output=True, text=True, check=False)
+    words = [tree / "tools" / "check", "--no-tidy", "--tree", copy_new(source, tree)]
+    check = subprocess.run(words, capture_output=True, text=True, check=False)
     assert "modules " in check.stdout, check.stdout
     complaints = [line for line in check.stdout.splitlines() if NAME.lower() in line.lower()]
     assert not complaints, complaints

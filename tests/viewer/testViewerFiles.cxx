@@ -533,7 +533,8 @@ private Q_SLOTS:
     QVERIFY(text.contains("moved by (0.125, 0, 0)") && text.contains("\"moved\":\"#f5a00b\""));
   }
 
-  // A picture has the camera of the view, and its samples. A file that cannot be read is reported once.
+  // A picture has the camera of the view, and its samples. A file that cannot be read is reported
+  // once.
   void comparesWithAPicture()
   {
     this->Open(

@@ -86,7 +86,7 @@ void MainWindow::CompareWith(const QString& path)
     const auto end = qScopeGuard([this] { this->Begin(); }); // hides the progress bar
     reading::Progress progress(this->Teller.get());
     progress.Begin("comparing with " + QFileInfo(path).fileName().toStdString());
-    // Baselines have one sample per pixel; files of pictures alone have the samples of the settings.
+    // A baseline has one sample per pixel; a file of a picture alone has those of the settings.
     vtkImageData* baseline = comparison->GetBaseline();
     const bool isPicture = baseline->GetPointData()->GetNumberOfArrays() == 1;
     comparison->SetFrame(
