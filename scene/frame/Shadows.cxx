@@ -12,6 +12,7 @@
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowStage.h"
 #include "vtkRenderer.h"
+#include "vtkVolumeCollection.h"
 
 namespace scene
 {
@@ -37,6 +38,15 @@ void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
     {
       pass->GetShadowStage()->SetLightSize(light, *choice.Size);
     }
+  }
+  vtkVolumeCollection* volumes = renderer->GetVolumes();
+  for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
+  {
+    vtkProp* volume = vtkProp::SafeDownCast(volumes->GetItemAsObject(i));
+    pass->GetShadowStage()->SetPropCasts(volume,
+      options.VolumesCast ? vtkRelievoShadowStage::CASTS_IF_OPAQUE
+                          : vtkRelievoShadowStage::CASTS_NEVER);
+    pass->GetShadowStage()->SetPropReceives(volume, options.VolumesReceive);
   }
 }
 

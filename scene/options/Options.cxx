@@ -486,6 +486,13 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     TakePart<&RenderOptions::Model, TakeBoneWeight>);
   rows.AddSwitch("--shadows", "METHOD", "shadows", "method",
     "shadows of the lights in the picture: @choices@ (map with studio and town, else off)");
+  rows.AddChoice("--volume-shadows", "KIND", { "both", "casts", "receives", "none" },
+    "whether volumes (--image volume) cast shadows and receive them, also their own, if there are "
+    "shadows: @choices@ (both)",
+    [&all](std::size_t place) {
+      all.VolumesCast = place < 2;
+      all.VolumesReceive = place % 2 == 0;
+    });
   rows.AddOfStage("--shadow-size N", "shadows", "map_size", "Side of each shadow map");
   rows.AddOfStage("--soft-shadows N", "shadows", "soft_samples", "-").Help =
     "shadows of lights with a size: the mean of N samples of each light's shape, 0 to "

@@ -49,11 +49,13 @@ struct RenderOptions
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
   std::optional<double> Fill;      ///< share of the preset's weak lights; none: the preset has none
   bool YieldsToFile = false;       ///< the file's lights, if any, replace these
-  std::optional<int> Certify;      ///< rays
-  SurfaceChoice Surface;           ///< maps and environment of surfaces
-  int UpAxis = 1;                  ///< the world's up axis: 0, 1, 2 for x, y, z
-  bool FindsUp = false;            ///< replaces UpAxis by the scene's own
-  std::optional<bool> Ground;      ///< whether to add one below the scene; none: no
+  bool VolumesCast = true;
+  bool VolumesReceive = true;
+  std::optional<int> Certify;       ///< rays
+  SurfaceChoice Surface;            ///< maps and environment of surfaces
+  int UpAxis = 1;                   ///< the world's up axis: 0, 1, 2 for x, y, z
+  bool FindsUp = false;             ///< replaces UpAxis by the scene's own
+  std::optional<bool> Ground;       ///< whether to add one below the scene; none: no
   std::vector<PointsChoice> Points; ///< for stages that draw points
   std::vector<StageChoice> Stages;  ///< in the order given
   bool HDR = false;                 ///< EXR colour unclamped

@@ -150,6 +150,8 @@ class Volumes(CliTest):
         for name, more in (("usual", []), ("fine", ["--volume-step", "0.05"]),
                            ("coarse", ["--volume-step", "2"]),
                            ("bare", ["--shadows", "off"]),
+                           *((kind, ["--volume-shadows", kind])
+                             for kind in ("casts", "receives", "none")),
                            ("tinted", ["--colored-shadows", "--shadows", "map"])):  # fmt: skip
             pictures[name] = self.picture(*words, *more, says="antialias")
         darker = (pictures["bare"] - pictures["usual"]).mean(axis=-1)
@@ -158,6 +160,13 @@ class Volumes(CliTest):
         off = {name: abs(pictures[name] - pictures["fine"]).max() for name in ("usual", "coarse")}
         self.assertLess(off["usual"], 4)
         self.assertGreater(off["coarse"], 2 * off["usual"])
+        # The shadow on the ground, below row 62, needs a caster, the volume's own also a receiver.
+        self.assertEqual(abs(pictures["none"] - pictures["receives"]).max(), 0)
+        ground = (pictures["none"] - pictures["casts"])[62:]
+        self.assertGreater((ground.mean(axis=-1) > 15).sum(), 50)
+        own = abs(pictures["usual"] - pictures["casts"]).max(axis=-1)
+        self.assertLess(own[62:].max(), 2)
+        self.assertGreater((own > 15).sum(), 500)
 
     def test_opacity_curve(self):
         """Values are visible where the curve says."""

@@ -603,6 +603,7 @@ void TestNoReceivers()
     return stage.GetShadows()->GetReason().find(words) != std::string::npos;
   };
   RELIEVO_CHECK(!has("depths of volumes"));
+  RELIEVO_CHECK(has("a volume receives none: it is not shaded"));
   volume.Prop->GetProperty()->ShadeOn();
   RELIEVO_CHECK(has("depths of volumes"));
 

@@ -78,7 +78,7 @@ const std::vector<QStringList> Rows = {
 const std::set<std::string> Elsewhere = { "--size", "--camera", "--parallel-scale", "--color",
   "--opacity", "--edges", "--time", "--times", "--animation", "--blend", "--loop", "--skeleton",
   "--bone-weight", "--skin", "--normal-map", "--environment", "--reflectivity", "--skybox", "--fog",
-  "--image", "--opacity-curve", "--volume-step", "--point-size" };
+  "--image", "--opacity-curve", "--volume-step", "--volume-shadows", "--point-size" };
 
 // Said as parameters of stages, or no part of a picture.
 const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--shadow-tolerance",

@@ -533,10 +533,12 @@ private Q_SLOTS:
     QVERIFY(text.contains("moved by (0.125, 0, 0)") && text.contains("\"moved\":\"#f5a00b\""));
   }
 
-  // A picture has the camera of the view. A file that cannot be read is reported once.
+  // A picture has the camera of the view, and its samples. A file that cannot be read is reported
+  // once.
   void comparesWithAPicture()
   {
-    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
+    this->Open(
+      { this->WriteScene(), "--light", "sun:0.4,1,0.6", "--stage", "antialias:samples=4" });
     QVERIFY_EXCEPTION_THROWN(this->Window->SaveReport("none.html"), words::WorkError);
     auto* action = this->Window->findChild<QAction*>("compareWith");
     for (const char* name : { "broken.exr", "broken.png" })

@@ -94,6 +94,8 @@ private:
     QCOMPARE(this->Get("--opacity-curve"), std::string());
     QVERIFY(MostDifferent(this->Grab(), shown) <= 1);
     QTRY_VERIFY_WITH_TIMEOUT(curve->GetPoints() == before, 20000); // follows the picture
+    this->Choose("volumeLook", "volumeshadows", "casts");
+    QCOMPARE(this->Get("--volume-shadows"), std::string("casts"));
   }
 
 private Q_SLOTS:

@@ -19,6 +19,7 @@ namespace
 {
 const char* const CurveOption = "--opacity-curve";
 const char* const StepOption = "--volume-step";
+const char* const ShadowOption = "--volume-shadows";
 }
 
 //------------------------------------------------------------------------------
@@ -39,6 +40,8 @@ VolumeGroup::VolumeGroup(Document* document, Reader read, QWidget* parent)
   this->GetRows()->addRow(this->Curve);
   this->GetRows()->addRow(this->Found);
   this->GetRows()->addRow("Step", this->Step);
+  this->Shadows = AddChoice(document, this->GetRows(), ShadowOption, "both",
+    "Whether volumes cast shadows and receive them, also their own");
   QObject::connect(
     this->Curve, &OpacityCurve::edited, this, [this](const OpacityCurve::Points& points) {
       this->Edited->Change([&points](scene::Settings& settings) {
@@ -90,5 +93,6 @@ void VolumeGroup::ShowSettings()
     this->Curve->ShowCurve(look.OpacityCurve);
   }
   this->Step->SetValue(look.VolumeStep);
+  ShowChoice(this->Shadows, this->Edited->Get(), ShadowOption);
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Volumes: opacity by value, and the step of rays.
+ * Volumes: opacity by value, the step of rays, and shadows.
  */
 #ifndef VolumeGroup_h
 #define VolumeGroup_h
@@ -14,6 +14,7 @@
 #include <optional>
 
 class QCheckBox;
+class QComboBox;
 
 namespace relievoQt
 {
@@ -42,6 +43,7 @@ private:
   OpacityCurve* Curve;
   QCheckBox* Found;
   relievoQt::Number* Step;
+  QComboBox* Shadows;
 };
 }
 

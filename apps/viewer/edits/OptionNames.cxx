@@ -48,6 +48,7 @@ constexpr Row Rows[] = {
   { "--opacity", "Opacity", "Look" },
   { "--opacity-curve", "Opacity curve", "Look" },
   { "--volume-step", "Step", "Look" },
+  { "--volume-shadows", "Volume shadows", "Look" },
   { "--point-size", "Point size", "Look" },
   { "--edges", "Show edges", "Look" },
   { "--color-by", "Colour by", "Look" },

@@ -17,6 +17,7 @@
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkRelievoBaseline.h"
 #include "vtkRelievoComparisonReport.h"
 #include "vtkRelievoFrameComparison.h"
@@ -85,8 +86,11 @@ void MainWindow::CompareWith(const QString& path)
     const auto end = qScopeGuard([this] { this->Begin(); }); // hides the progress bar
     reading::Progress progress(this->Teller.get());
     progress.Begin("comparing with " + QFileInfo(path).fileName().toStdString());
+    // A baseline has one sample per pixel; a file of a picture alone has those of the settings.
+    vtkImageData* baseline = comparison->GetBaseline();
+    const bool isPicture = baseline->GetPointData()->GetNumberOfArrays() == 1;
     comparison->SetFrame(
-      picture.Capture(vtkRelievoBaseline::IsPortable(comparison->GetBaseline())));
+      isPicture ? picture.Grab() : picture.Capture(vtkRelievoBaseline::IsPortable(baseline)));
     reading::Messages::Check(place, !comparison->Compare());
   }
   this->ComparedWith = path;

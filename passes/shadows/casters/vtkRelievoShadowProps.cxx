@@ -305,9 +305,11 @@ void vtkRelievoShadowProps::AddVolume(
   {
     this->VolumeCasters.emplace_back(volume, matrix);
   }
-  if (choice.Receives && volume->GetProperty()->GetShade())
+  if (choice.Receives)
   {
-    const std::string why = vtkRelievoPlacedVolume::FindWhyNotPlaced(volume);
+    const std::string why = volume->GetProperty()->GetShade()
+      ? vtkRelievoPlacedVolume::FindWhyNotPlaced(volume)
+      : "it is not shaded; call ShadeOn of its property";
     if (!why.empty())
     {
       this->VolumesWithout += "; a volume receives none: " + why;
