@@ -381,8 +381,9 @@ void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages
 {
   for (const StageChoice& choice : stages)
   {
-    vtkRelievoStage* stage = pass->GetStage(choice.Name);
-    if (ran.count(stage) == 0 && choice.Option != "--preset" && !IsOfSwitch(choice))
+    const bool isAsked = choice.Option != "--preset" && !IsOfSwitch(choice);
+    vtkRelievoStage* stage = isAsked ? pass->GetStage(choice.Name) : nullptr;
+    if (stage && ran.count(stage) == 0)
     {
       const std::string asked =
         choice.Option + (choice.Option == StageChoice().Option ? " " + choice.Name : "");

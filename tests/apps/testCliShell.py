@@ -166,7 +166,7 @@ class Pages(unittest.TestCase):
     def test_files(self):
         """Input formats, in the table and in the texts."""
         page = (DOCS / "command-line.md").read_text(encoding="utf-8")
-        table = page.split("| extension | what is drawn |")[1].split("\n\n")[0]
+        table = page.split("| extension | drawn as |")[1].split("\n\n")[0]
         listed = [each for row in table.splitlines()[2:]
                   for each in re.findall(r"`\.(\w+)`", row.split("|")[1])]  # fmt: skip
         read = re.search(r"^render \. (.*)$", WORDS, re.M).group(1)

@@ -84,9 +84,9 @@ class Filters(pv.PluginTest):
             owner = next(getattr(each, of_class) for each in modules if hasattr(each, of_class))()
             for i in range(getattr(owner, "GetNumberOfParameters", int)()):
                 parameter = owner.GetParameterName(i)
-                found = made.GetProperty(described.capitalize(parameter))
+                found = made.GetProperty(described.capitalize(parameter).replace("Srgb", "SRGB"))
                 self.assertIsNotNone(found, f"{name}.{parameter}")
-                text = owner.GetParameterHelp(parameter)
+                text = owner.GetParameterHelp(parameter).removesuffix(" Takes a text.")
                 self.assertEqual(found.GetDocumentation().GetDescription().strip(), text)
             properties = made.NewPropertyIterator()
             properties.UnRegister(None)
