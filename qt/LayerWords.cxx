@@ -33,9 +33,9 @@ QImage MakeStrip(const std::string& map, bool reversed)
   return strip;
 }
 
-QString MakeTitle(const std::string& layer)
+QString MakeTitle(const std::string& layer, const LightNames& lights)
 {
-  QString title = NameLayer(layer);
+  QString title = NameLayer(layer, lights);
   for (const char* name : InWorldUnits)
   {
     title += layer == name ? " (world units)" : "";
@@ -73,17 +73,21 @@ bool IsOfVolume(const std::string& layer)
 }
 
 //------------------------------------------------------------------------------
-QString NameLayer(const std::string& layer)
+QString NameLayer(const std::string& layer, const LightNames& lights)
 {
   using Catalogue = vtkRelievoLayerCatalogue;
   QString words = QString::fromStdString(layer);
-  const bool light = Catalogue::GetIsOfLight(layer);
-  if (!light && !Catalogue::GetIsLayer(layer))
+  const bool ofLight = Catalogue::GetIsOfLight(layer);
+  if (!ofLight && !Catalogue::GetIsLayer(layer))
   {
     return words; // an array, under its own name
   }
   words.replace('_', ' ');
-  if (light)
+  if (const auto named = lights.find(layer); ofLight && named != lights.end())
+  {
+    return "Shadow of " + QString::fromStdString(named->second);
+  }
+  if (ofLight)
   {
     const QString name = words.mid(static_cast<int>(Catalogue::GetOfLight().Name.size()));
     return (Catalogue::GetLight(layer) < 0 ? "Shadow of " : "Shadow of light ") + name;
@@ -107,14 +111,14 @@ QString LayerWords::GetText() const
 }
 
 //------------------------------------------------------------------------------
-LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere)
+LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere, const LightNames& lights)
 {
   const std::string layer = stage->GetLayer();
-  const bool light = vtkRelievoLayerCatalogue::GetIsOfLight(layer); // by any name
+  const bool ofLight = vtkRelievoLayerCatalogue::GetIsOfLight(layer); // by any name
   const vtkRelievoLayer& known =
-    light ? vtkRelievoLayerCatalogue::GetOfLight() : vtkRelievoLayerCatalogue::Find(layer);
+    ofLight ? vtkRelievoLayerCatalogue::GetOfLight() : vtkRelievoLayerCatalogue::Find(layer);
   LayerWords words;
-  words.Title = MakeTitle(layer);
+  words.Title = MakeTitle(layer, lights);
   if (isDrawnHere && stage->GetReasonCode() != "ran")
   {
     words.Words = "Nothing to see: " + QString::fromStdString(stage->GetReason()) + ".";
@@ -133,7 +137,7 @@ LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere)
     return words;
   }
   const bool given = stage->GetRange()[0] < stage->GetRange()[1];
-  const bool named = light && !given && stage->HasScale(); // the strip's ends have values
+  const bool named = ofLight && !given && stage->HasScale(); // the strip's ends have values
   const QString colors = DescribeColors(known, stage->GetShownComponents());
   words.Words =
     named ? words.Words.section(':', 0, 0) + "." : (words.Words + " " + colors).trimmed();

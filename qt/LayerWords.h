@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QString>
 
+#include <map>
 #include <string>
 
 class vtkRelievoDisplayStage;
@@ -29,11 +30,16 @@ struct LayerWords
 /// Whether the layer is that of a volume, which is where `volume_depth` is finite, not `depth`.
 bool IsOfVolume(const std::string& layer);
 
-/// The display name: "Shadow of light 0" for shadow_0; an array's own name.
-QString NameLayer(const std::string& layer);
+/// The names of lights, by their layers: shadow_0.
+using LightNames = std::map<std::string, std::string>;
+
+/// The display name: "Shadow of light 0" for shadow_0, or of the light's name if it is among
+/// `lights`; an array's own name.
+QString NameLayer(const std::string& layer, const LightNames& lights = {});
 
 /// `isDrawnHere`: the stage drew the last picture and knows its values; otherwise a server did.
-LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere = true);
+LayerWords DescribeLayer(
+  vtkRelievoDisplayStage* stage, bool isDrawnHere = true, const LightNames& lights = {});
 }
 
 #endif

@@ -342,6 +342,17 @@ private Q_SLOTS:
       QCOMPARE(box->itemText(row), QString(name));
     }
     QCOMPARE(relievoQt::NameLayer("shadow_key_light"), QString("Shadow of key light"));
+    // Each light that casts has a row under the name that its user gave it.
+    this->Change([](scene::Settings& settings) {
+      settings.SetAll("--light",
+        { "sun:40,50,name=warm", "sun:90,50,casts=off,name=pale", "sun:200,30,name=low" });
+      settings.SetParameter("display", "layer", "shadow_2");
+    });
+    this->Grab();
+    QCOMPARE(box->currentText(), QString("Shadow of low"));
+    QVERIFY(box->findText("Shadow of warm") >= 0 && box->findData("shadow_1") < 0);
+    QCOMPARE(this->Window->findChild<QLabel*>("layerBannerWords")->text(),
+      QString("Showing: Shadow of low"));
     QStringList listed;
     const viewerTest::Dialogs dialogs([&listed](QDialog* dialog) {
       auto* list = dialog->findChild<QListWidget*>("layersToSave");
@@ -353,6 +364,7 @@ private Q_SLOTS:
     });
     this->Window->findChild<QAction*>("saveLayers")->trigger();
     QVERIFY2(listed.contains("Lamp evaluations") && listed.contains("height") &&
+        listed.contains("Shadow of low") && !listed.contains("Shadow of light 1") &&
         listed.filter("_").isEmpty(),
       qPrintable(listed.join(", ")));
   }

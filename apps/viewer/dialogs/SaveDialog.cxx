@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SaveDialog.h"
 
-#include "LayerWords.h"
 #include "Options.h"
 #include "RecentFiles.h"
 
@@ -161,8 +160,8 @@ std::optional<PictureChoice> AskPicture(QWidget* parent, const QSize& size)
 }
 
 //------------------------------------------------------------------------------
-std::optional<LayersChoice> AskLayers(
-  QWidget* parent, const QSize& size, const std::vector<std::string>& layers)
+std::optional<LayersChoice> AskLayers(QWidget* parent, const QSize& size,
+  const std::vector<std::string>& layers, const relievoQt::LightNames& lights)
 {
   QWidget more;
   auto* rows = new QFormLayout(&more);
@@ -179,7 +178,7 @@ std::optional<LayersChoice> AskLayers(
   for (const std::string& layer : layers)
   {
     const QString name = QString::fromStdString(layer);
-    auto* item = new QListWidgetItem(relievoQt::NameLayer(layer), list);
+    auto* item = new QListWidgetItem(relievoQt::NameLayer(layer, lights), list);
     item->setData(Qt::UserRole, name);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
     item->setCheckState(kept.contains(name) ? Qt::Checked : Qt::Unchecked);

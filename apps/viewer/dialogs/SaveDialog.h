@@ -6,6 +6,8 @@
 #ifndef SaveDialog_h
 #define SaveDialog_h
 
+#include "LayerWords.h"
+
 #include <QSize>
 #include <QString>
 
@@ -38,10 +40,10 @@ struct LayersChoice
 };
 
 ///@{
-/// None if the user cancels. `size` is the view's.
+/// None if the user cancels. `size` is the view's, `lights` are the names of layers of lights.
 std::optional<PictureChoice> AskPicture(QWidget* parent, const QSize& size);
-std::optional<LayersChoice> AskLayers(
-  QWidget* parent, const QSize& size, const std::vector<std::string>& layers);
+std::optional<LayersChoice> AskLayers(QWidget* parent, const QSize& size,
+  const std::vector<std::string>& layers, const relievoQt::LightNames& lights);
 ///@}
 }
 

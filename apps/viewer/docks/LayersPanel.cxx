@@ -187,11 +187,19 @@ void LayersPanel::ShowLayers()
     this->Layer->addItem("The picture itself", "");
     for (int i = 0; i < vtkRelievoLayerCatalogue::GetNumberOfLayers(); ++i)
     {
-      std::string name = vtkRelievoLayerCatalogue::GetLayerName(i);
-      name = vtkRelievoLayerCatalogue::GetIsLayer(name) ? name : "shadow_0";
-      this->Layer->addItem(relievoQt::NameLayer(name), QString::fromStdString(name));
-      this->Layer->setItemData(this->Layer->count() - 1,
-        QString::fromStdString(vtkRelievoLayerCatalogue::GetLayerHelp(i)), Qt::ToolTipRole);
+      const std::string name = vtkRelievoLayerCatalogue::GetLayerName(i);
+      relievoQt::LightNames listed = { { name, "" } };
+      if (!vtkRelievoLayerCatalogue::GetIsLayer(name)) // a shadow for each light
+      {
+        listed = this->Lights.empty() ? relievoQt::LightNames{ { "shadow_0", "" } } : this->Lights;
+      }
+      for (const auto& row : listed)
+      {
+        this->Layer->addItem(
+          relievoQt::NameLayer(row.first, this->Lights), QString::fromStdString(row.first));
+        this->Layer->setItemData(this->Layer->count() - 1,
+          QString::fromStdString(vtkRelievoLayerCatalogue::GetLayerHelp(i)), Qt::ToolTipRole);
+      }
     }
     for (const std::string& name : this->Edited->GetFacts().Layers)
     {
@@ -211,7 +219,7 @@ void LayersPanel::ShowSettings()
   const QString words = QString::fromStdString(settings.GetParameter(Stage, "layer"));
   if (this->Layer->findData(words) < 0)
   {
-    this->Layer->addItem(relievoQt::NameLayer(words.toStdString()), words);
+    this->Layer->addItem(relievoQt::NameLayer(words.toStdString(), this->Lights), words);
   }
   this->Layer->setCurrentIndex(this->Layer->findData(words));
   this->Grey->setChecked(settings.GetParameter(Stage, "grey") == "on");
@@ -228,11 +236,22 @@ void LayersPanel::ShowSettings()
     SetIdle(of, this->ExplainIdle(true));
   }
   SetIdle(this->Grey, this->ExplainIdle(false));
-  this->Follow();
+  this->ShowRange();
 }
 
 //------------------------------------------------------------------------------
-void LayersPanel::Follow()
+void LayersPanel::Follow(const relievoQt::LightNames& lights)
+{
+  if (this->Lights != lights)
+  {
+    this->Lights = lights;
+    this->ShowLayers();
+  }
+  this->ShowRange();
+}
+
+//------------------------------------------------------------------------------
+void LayersPanel::ShowRange()
 {
   this->Range->ShowFound(this->Edited->Get().GetParameter(Stage, "layer").empty()
       ? std::array<double, 2>{ 0.0, 0.0 }

@@ -6,6 +6,7 @@
 #ifndef LayersPanel_h
 #define LayersPanel_h
 
+#include "LayerWords.h"
 #include "Panel.h"
 #include "Probe.h"
 
@@ -39,8 +40,8 @@ public:
   /// Shows a row for each layer; none for the background.
   void ShowValues(const std::vector<ProbeValue>& values);
 
-  /// Updates after a new picture.
-  void Follow();
+  /// Updates after a new picture, in which these lights cast shadows.
+  void Follow(const relievoQt::LightNames& lights);
 
 Q_SIGNALS:
   void probing(bool on);
@@ -51,9 +52,11 @@ private:
   void SetLayer(const std::string& layer);
   void Set(const char* parameter, const std::string& value);
   void ShowLayers();
+  void ShowRange();
   void ShowSettings();
 
   RangeReader ReadRange;
+  relievoQt::LightNames Lights;
   QComboBox* Layer;
   ColormapBox* Colormap;
   QCheckBox *Reversed, *Grey, *Probing;

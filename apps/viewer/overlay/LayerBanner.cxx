@@ -42,12 +42,12 @@ LayerBanner::LayerBanner(QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
-void LayerBanner::Follow(vtkRelievoPass* frame)
+void LayerBanner::Follow(vtkRelievoPass* frame, const relievoQt::LightNames& lights)
 {
   const char* layer = frame ? frame->GetDisplayLayer() : nullptr;
   if (layer)
   {
-    this->Words->setText("Showing: " + relievoQt::NameLayer(layer));
+    this->Words->setText("Showing: " + relievoQt::NameLayer(layer, lights));
     this->Place();
   }
   this->setVisible(layer != nullptr);

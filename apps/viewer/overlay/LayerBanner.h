@@ -7,6 +7,7 @@
 #ifndef LayerBanner_h
 #define LayerBanner_h
 
+#include "LayerWords.h"
 #include "Overlay.h"
 
 class QLabel;
@@ -23,7 +24,7 @@ public:
   explicit LayerBanner(QWidget* parent);
 
   /// Names the layer shown by the frame; null: no frame.
-  void Follow(vtkRelievoPass* frame);
+  void Follow(vtkRelievoPass* frame, const relievoQt::LightNames& lights);
 
 Q_SIGNALS:
   void pictureWanted();

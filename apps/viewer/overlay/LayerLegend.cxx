@@ -30,14 +30,14 @@ LayerLegend::LayerLegend(QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
-void LayerLegend::Follow(vtkRelievoPass* frame)
+void LayerLegend::Follow(vtkRelievoPass* frame, const relievoQt::LightNames& lights)
 {
   auto* stage = frame ? vtkRelievoDisplayStage::SafeDownCast(frame->GetStage("display")) : nullptr;
   const bool any = stage && !stage->GetLayer().empty();
   this->setVisible(any);
   if (any)
   {
-    this->Shown = relievoQt::DescribeLayer(stage);
+    this->Shown = relievoQt::DescribeLayer(stage, true, lights);
     this->Place();
     this->update();
   }

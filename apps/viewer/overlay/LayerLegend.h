@@ -23,7 +23,7 @@ public:
   explicit LayerLegend(QWidget* parent);
 
   /// Explains the layer in the frame's last picture; null: no layer.
-  void Follow(vtkRelievoPass* frame);
+  void Follow(vtkRelievoPass* frame, const relievoQt::LightNames& lights);
 
   /// All of its texts, including the values of the first and last colour; empty if it is hidden.
   QString GetText() const;

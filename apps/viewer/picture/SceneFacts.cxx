@@ -12,6 +12,7 @@
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -22,6 +23,8 @@
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoModelReader.h"
 #include "vtkRelievoPass.h"
+#include "vtkRelievoShadowStage.h"
+#include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -250,5 +253,29 @@ std::array<double, 2> GetShownRange(const Picture& picture)
   auto* stage = frame ? vtkRelievoDisplayStage::SafeDownCast(frame->GetStage("display")) : nullptr;
   return stage ? std::array<double, 2>{ stage->GetShownRange()[0], stage->GetShownRange()[1] }
                : std::array<double, 2>{ 0.0, 0.0 };
+}
+
+//------------------------------------------------------------------------------
+relievoQt::LightNames GetLightNames(const Picture& picture)
+{
+  relievoQt::LightNames names;
+  vtkRelievoPass* frame = picture.GetFrame();
+  if (!frame) // VTK's picture
+  {
+    return names;
+  }
+  vtkRenderer* renderer = picture.GetRenderer();
+  vtkRelievoShadowStage* shadows = frame->GetShadowStage();
+  const std::vector<std::string> cast = shadows->GetShadowLayers(renderer);
+  for (int i = 0; i < renderer->GetLights()->GetNumberOfItems(); ++i)
+  {
+    vtkLight* light = vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(i));
+    const std::string layer = shadows->GetLightLayer(renderer, light);
+    if (std::find(cast.begin(), cast.end(), layer) != cast.end())
+    {
+      names["shadow_" + std::to_string(i)] = shadows->GetLightName(renderer, light);
+    }
+  }
+  return names;
 }
 }

@@ -7,6 +7,7 @@
 #define SceneFacts_h
 
 #include "Facts.h"
+#include "LayerWords.h"
 #include "LookOptions.h"
 
 #include <array>
@@ -32,6 +33,9 @@ std::optional<std::array<double, 2>> FindSeenRange(
 
 /// The range of the layer shown in the last picture; infinite or equal: none.
 std::array<double, 2> GetShownRange(const Picture& picture);
+
+/// Of the lights that cast shadows.
+relievoQt::LightNames GetLightNames(const Picture& picture);
 }
 
 #endif

@@ -11,14 +11,13 @@
 #include "Properties.h"
 #include "RecentFiles.h"
 #include "SaveDialog.h"
+#include "SceneFacts.h"
 #include "SceneText.h"
 #include "Scripts.h"
 #include "ToolBar.h"
 
-#include "vtkLightCollection.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -73,11 +72,10 @@ QSize GetViewSize(MainWindow* window)
 }
 
 //------------------------------------------------------------------------------
-// The catalogue's layers, a shadow for each light, and arrays.
-std::vector<std::string> ListLayers(MainWindow* window)
+// The catalogue's layers, a shadow for each light that casts, and arrays.
+std::vector<std::string> ListLayers(MainWindow* window, const relievoQt::LightNames& lights)
 {
   std::vector<std::string> layers = { vtkRelievoLayerCatalogue::GetPicture().Name };
-  vtkRenderer* renderer = window->GetView()->GetPicture().GetRenderer();
   for (int i = 0; i < vtkRelievoLayerCatalogue::GetNumberOfLayers(); ++i)
   {
     const std::string name = vtkRelievoLayerCatalogue::GetLayerName(i);
@@ -90,9 +88,9 @@ std::vector<std::string> ListLayers(MainWindow* window)
       layers.push_back(name);
       continue;
     }
-    for (int light = 0; light < renderer->GetLights()->GetNumberOfItems(); ++light)
+    for (const auto& light : lights)
     {
-      layers.push_back("shadow_" + std::to_string(light));
+      layers.push_back(light.first);
     }
   }
   const std::vector<std::string>& arrays = window->GetDocument()->GetFacts().Layers;
@@ -145,7 +143,9 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
     }));
   NeedPicture(
     window, Add(menu, window, "Save &layers...", QKeySequence("Ctrl+E"), "saveLayers", [window] {
-      if (const auto choice = AskLayers(window, GetViewSize(window), ListLayers(window)))
+      const relievoQt::LightNames lights = GetLightNames(window->GetView()->GetPicture());
+      if (const auto choice =
+            AskLayers(window, GetViewSize(window), ListLayers(window, lights), lights))
       {
         window->SaveLayers(*choice);
       }

@@ -1043,9 +1043,10 @@ void MainWindow::OnDrawn()
   this->Report->Follow();
   this->ShowSmoothing();
   this->Axes->Follow(this->Shown->GetPicture().GetRenderer());
-  this->Layers->Follow();
-  this->Banner->Follow(this->Shown->GetPicture().GetFrame());
-  this->Legend->Follow(this->Shown->GetPicture().GetFrame());
+  const relievoQt::LightNames lights = GetLightNames(this->Shown->GetPicture());
+  this->Layers->Follow(lights);
+  this->Banner->Follow(this->Shown->GetPicture().GetFrame(), lights);
+  this->Legend->Follow(this->Shown->GetPicture().GetFrame(), lights);
   this->Handles->Follow();
   try
   {
