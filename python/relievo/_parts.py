@@ -110,7 +110,7 @@ def merge(parts) -> str:
     parts: the list from parts(), all of them complete; or the folder of the parts.
 
     The result is that of a single process, byte for byte. Raises ValueError for wrong arguments,
-    RuntimeError if parts are missing or damaged.
+    RuntimeError if parts are missing or damaged, or the result cannot be written.
     """
     directory = _directory(parts)
     _run(["merge", "--", directory])
