@@ -425,11 +425,9 @@ bool vtkRelievoLayerSource::AmendAlpha(vtkRenderer* renderer, vtkImageData* imag
   }
   for (vtkIdType i = 0; i < color->GetNumberOfTuples(); ++i)
   {
-    const double alpha = right->GetComponent(i, 3);
-    if (alpha > 0.0) // else there is no surface, but there may be a text
-    {
-      color->SetComponent(i, 3, alpha);
-    }
+    // That of VTK is too small, except where a text is.
+    const double alpha = std::max(color->GetComponent(i, 3), right->GetComponent(i, 3));
+    color->SetComponent(i, 3, alpha);
   }
   return true;
 }

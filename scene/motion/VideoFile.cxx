@@ -19,6 +19,7 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <locale.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -159,15 +160,15 @@ std::string VideoFile::GetErrors() const
 std::string VideoFile::GetSystemError() const
 {
   const std::string text = this->GetErrors();
+  const locale_t plain = newlocale(LC_ALL_MASK, "C", locale_t(nullptr)); // which ffmpeg keeps
+  std::string found;
   for (const int error : { ENOSPC, EDQUOT, EFBIG, EIO })
   {
-    const char* message = std::strerror(error);
-    if (text.find(message) != std::string::npos)
-    {
-      return message;
-    }
+    const std::string message = strerror_l(error, plain);
+    found = found.empty() && text.find(message) != std::string::npos ? message : found;
   }
-  return "";
+  freelocale(plain);
+  return found;
 }
 
 //------------------------------------------------------------------------------

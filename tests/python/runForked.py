@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import runpy
+import signal
 import sys
 import tempfile
 
@@ -19,6 +20,8 @@ def run(script, folder, words):
     with tempfile.TemporaryFile() as output, tempfile.TemporaryFile() as errors:
         child = os.fork()
         if child == 0:
+            signal.alarm(600)  # a script that hangs ends with this signal
+            os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
             os.dup2(output.fileno(), 1)
             os.dup2(errors.fileno(), 2)
             os.chdir(folder)

@@ -248,7 +248,7 @@ void TestManyLights()
       this->GetShadows()->EnabledOn();
     }
 
-    // What the stage says of its grids with so many lights.
+    // The stage's report on its grids with so many lights.
     std::string GetReport(int lights)
     {
       vtkLightCollection* all = this->Renderer->GetLights();

@@ -96,6 +96,7 @@ private:
     QTRY_VERIFY_WITH_TIMEOUT(curve->GetPoints() == before, 20000); // follows the picture
     this->Choose("volumeLook", "volumeshadows", "casts");
     QCOMPARE(this->Get("--volume-shadows"), std::string("casts"));
+    QVERIFY(MostDifferent(this->Grab(), this->RenderCommand()) <= 1);
   }
 
 private Q_SLOTS:

@@ -21,6 +21,7 @@
 #include "vtkRelievoBaseline.h"
 #include "vtkRelievoComparisonReport.h"
 #include "vtkRelievoFrameComparison.h"
+#include "vtkRelievoLayerCatalogue.h"
 
 #include <QDockWidget>
 #include <QFileInfo>
@@ -88,7 +89,10 @@ void MainWindow::CompareWith(const QString& path)
     progress.Begin("comparing with " + QFileInfo(path).fileName().toStdString());
     // A baseline has one sample per pixel; a file of a picture alone has those of the settings.
     vtkImageData* baseline = comparison->GetBaseline();
-    const bool isPicture = baseline->GetPointData()->GetNumberOfArrays() == 1;
+    const std::string& color = vtkRelievoLayerCatalogue::GetPicture().Name;
+    const bool isPicture = baseline->GetPointData()->GetNumberOfArrays() == 1 &&
+      (!path.endsWith(".exr", Qt::CaseInsensitive) ||
+        baseline->GetPointData()->HasArray(color.c_str()));
     comparison->SetFrame(
       isPicture ? picture.Grab() : picture.Capture(vtkRelievoBaseline::IsPortable(baseline)));
     reading::Messages::Check(place, !comparison->Compare());

@@ -309,7 +309,7 @@ void vtkRelievoShadowProps::AddVolume(
   {
     const std::string why = volume->GetProperty()->GetShade()
       ? vtkRelievoPlacedVolume::FindWhyNotPlaced(volume)
-      : "it is not shaded; call ShadeOn of its property";
+      : "it is not shaded; switch its shading on (ShadeOn of its property)";
     if (!why.empty())
     {
       this->VolumesWithout += "; a volume receives none: " + why;
