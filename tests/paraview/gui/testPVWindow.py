@@ -19,8 +19,9 @@ import numpy  # noqa: E402
 import pv  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
-# The user's, for shaders that are built already: each window has a home of its own.
-CACHE = os.environ.get("XDG_CACHE_HOME") or str(pathlib.Path.home() / ".cache")
+# The test's or the user's, for shaders that are built already: each window has a home of its own.
+CACHE = (os.environ.get("MESA_SHADER_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME")
+         or str(pathlib.Path.home() / ".cache"))  # fmt: skip
 # How Qt's and QtTesting's messages begin in ParaView's output.
 QT_MESSAGE = re.compile(r"^(critical|warning|fatal): .*(\n(?!debug:).+)*", re.MULTILINE)
 
