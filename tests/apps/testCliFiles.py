@@ -138,7 +138,7 @@ class Inputs(CliTest):
             "image_width": 100000, "image_height": 100000, "distortion_coefficients": [0] * 4,
             "camera_matrix": [[50, 0, 32], [0, 50, 24], [0, 0, 1]]}))  # fmt: skip
         self.before = self.names()
-        memory = ["does not fit into memory", "is it damaged"]
+        memory = ["too large for memory", "is it damaged"]
         for name, says in (("huge.bvh", memory), ("huge.dae", memory),
                            ("field.vtk", ["DATASET", "geometry"]), ("none.vtk", ["DATASET"]),
                            ("words.vtp", ["cannot be read as .vtp", "complete"])):  # fmt: skip
