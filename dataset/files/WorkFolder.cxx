@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -282,5 +283,19 @@ void PartProgress::Remove(const std::string& folder)
 {
   std::error_code trouble;
   fs::remove_all(fs::path(folder) / ProgressFolder, trouble);
+  std::vector<fs::path> left; // by parts that were killed while they wrote a file
+  for (fs::recursive_directory_iterator at(folder, trouble), end; !trouble && at != end;
+       at.increment(trouble))
+  {
+    const std::string name = at->path().filename().string();
+    if (name.rfind(".relievo-", 0) == 0 && at->path().extension() == ".tmp")
+    {
+      left.push_back(at->path());
+    }
+  }
+  for (const fs::path& path : left)
+  {
+    fs::remove(path, trouble);
+  }
 }
 }

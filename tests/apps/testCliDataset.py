@@ -225,6 +225,8 @@ class Dataset(CliTest):
         record.write_text("[")
         self.assertIn("2 (its record)", self.verify())
         record.unlink()
+        killed = self.folder / "parts" / "views" / ".relievo-0123456789abcdef.tmp"
+        killed.write_text("of a part that was killed while it wrote")
         self.dataset("parts", *words[len(SMALL):], "--part", "1/1")
         self.relievo("merge", "parts")
         self.relievo("verify", "parts")
