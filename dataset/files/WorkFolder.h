@@ -70,8 +70,8 @@ public:
   /// Lines about all parts in the folder; empty if there are none.
   static std::string GetText(const std::string& folder);
 
-  /// Removes the files about progress, and temporary files of parts that were killed. All parts must
-  /// be complete.
+  /// Removes the files about progress, and temporary files of parts that were killed. All parts
+  /// must be complete.
   static void Remove(const std::string& folder);
 
 private:
