@@ -354,7 +354,7 @@ class Scene(unittest.TestCase):
         writer.SetFileName(self.path("sky.png"))
         writer.Write()
         for options, often in (
-            ({"preset": "none", "edges": True}, 2e-4),
+            ({"preset": "none", "edges": True}, 1e-3),
             # Rows of a gradient may be rounded to another level.
             ({"preset": "none", "background": "white,skyblue"}, 2e-2),
             ({"preset": "none", "scale_bar": "m", "color_by": "height", "scalar_bar": True,
