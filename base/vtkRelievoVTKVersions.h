@@ -111,6 +111,13 @@
 #define RELIEVO_VTK_GRADIENT_NOISE 1
 #endif
 
+// Texts have the size of the whole picture in windows that draw its tiles.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+#define RELIEVO_VTK_MAGNIFIED_TEXTS true
+#else
+#define RELIEVO_VTK_MAGNIFIED_TEXTS false
+#endif
+
 // Image readers read bytes in memory from a vtkMemoryResourceStream, not from SetMemoryBuffer.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #define RELIEVO_VTK_IMAGE_STREAMS 1

@@ -4,6 +4,7 @@
 
 #include "Triples.h"
 #include "vtkRelievoAnnotation.h"
+#include "vtkRelievoVTKVersions.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -51,10 +52,10 @@ int GetShorterSide(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-// How many times as large as its window a picture is that the window draws in tiles.
+// How many times as large VTK draws texts in a window that draws tiles of a picture.
 int GetMagnification(vtkRenderWindow* window)
 {
-  return window->GetTileScale()[1];
+  return RELIEVO_VTK_MAGNIFIED_TEXTS ? window->GetTileScale()[1] : 1;
 }
 
 //------------------------------------------------------------------------------
@@ -261,7 +262,7 @@ void Grid::Execute(vtkObject* caller, unsigned long, void*)
     return;
   }
   const int side = GetShorterSide(renderer);
-  const int unmagnified = side / GetMagnification(window); // VTK magnifies texts in tiles
+  const int unmagnified = side / GetMagnification(window);
   const bool isPrinted = this->Print.Width > 0.0;
   this->Lines->GetProperty()->SetLineWidth(static_cast<float>(
     std::max(1.0, isPrinted ? this->Print.GetLineWidth() : std::round(side / FineLine))));
