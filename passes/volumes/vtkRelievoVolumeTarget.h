@@ -8,6 +8,7 @@
 #define vtkRelievoVolumeTarget_h
 
 #include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
@@ -20,7 +21,6 @@ class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkRelievoFrameContext;
 class vtkRelievoScopedState;
-class vtkTextureObject;
 class vtkWindow;
 
 class vtkRelievoVolumeTarget
