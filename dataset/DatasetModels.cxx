@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DatasetModels.h"
 
+#include "DatasetFiles.h"
 #include "DatasetFormats.h"
 #include "DatasetObjects.h"
 #include "Messages.h"
