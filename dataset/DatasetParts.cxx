@@ -164,5 +164,6 @@ void MergeDataset(const std::string& folder)
   }
   WriteDatasetIndex(set.Style, set.Objects, set.Records);
   PartProgress::Remove(folder);
+  RemoveTemporaryFiles(folder);
 }
 }

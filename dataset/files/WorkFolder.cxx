@@ -283,6 +283,12 @@ void PartProgress::Remove(const std::string& folder)
 {
   std::error_code trouble;
   fs::remove_all(fs::path(folder) / ProgressFolder, trouble);
+}
+
+//------------------------------------------------------------------------------
+void RemoveTemporaryFiles(const std::string& folder)
+{
+  std::error_code trouble;
   std::vector<fs::path> left; // by parts that were killed while they wrote a file
   for (fs::recursive_directory_iterator at(folder, trouble), end; !trouble && at != end;
        at.increment(trouble))

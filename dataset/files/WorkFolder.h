@@ -57,6 +57,10 @@ struct WorkState
   std::string GetText(const std::string& folder) const;
 };
 
+/// Removes the temporary files of parts that were killed while they wrote. All parts must be
+/// complete.
+void RemoveTemporaryFiles(const std::string& folder);
+
 /// How far a part is, in a file of the folder, for `relievo status`. It is written at most every
 /// two seconds; a problem with it does not end the work.
 class PartProgress
@@ -70,8 +74,7 @@ public:
   /// Lines about all parts in the folder; empty if there are none.
   static std::string GetText(const std::string& folder);
 
-  /// Removes the files about progress, and temporary files of parts that were killed. All parts
-  /// must be complete.
+  /// Removes the files about progress.
   static void Remove(const std::string& folder);
 
 private:

@@ -392,6 +392,7 @@ std::string MeshParts::Merge(reading::Progress& progress) const
   dataset::WriteWhole(this->Folder + "/" + MergedFile,
     dataset::WriteDatasetJson({ { "hash", dataset::FileHash::OfFile(file) } }));
   dataset::PartProgress::Remove(this->Folder);
+  dataset::RemoveTemporaryFiles(this->Folder);
   return file;
 }
 }
