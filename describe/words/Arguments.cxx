@@ -5,19 +5,51 @@
 #include "Errors.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
 
 namespace words
 {
 namespace
 {
-std::string ListNames(const vtkRelievoCommand& command)
+// Letters to insert, remove or replace, to make one word from the other (Levenshtein 1966).
+std::size_t EditDistance(const std::string& a, const std::string& b)
 {
-  std::string names;
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j)
+    {
+      const std::size_t above = row[j + 1];
+      row[j + 1] = std::min({ diagonal + (a[i] != b[j]), above + 1, row[j] + 1 });
+      diagonal = above;
+    }
+  }
+  return row.back();
+}
+
+// Three of the command's options at most that may be meant by this word.
+std::string ListSimilar(const std::string& word, const vtkRelievoCommand& command)
+{
+  std::multimap<std::size_t, std::string> similar;
   for (const vtkRelievoOption& option : command.Options)
   {
-    names += (names.empty() ? "" : ", ") + option.Name;
+    const std::size_t distance = EditDistance(word, option.Name);
+    if (distance <= std::max<std::size_t>(2, word.size() / 3))
+    {
+      similar.emplace(distance, option.Name);
+    }
   }
-  return names;
+  std::string names;
+  std::size_t count = 0;
+  for (auto it = similar.begin(); it != similar.end() && count < 3; ++it, ++count)
+  {
+    names += (names.empty() ? "; did you mean " : " or ") + it->second;
+  }
+  return names.empty() ? "." : names + "?";
 }
 }
 
@@ -44,8 +76,8 @@ void SplitArguments(const std::vector<std::string>& words, const vtkRelievoComma
     const vtkRelievoOption* row = command.Find(name);
     if (!row)
     {
-      throw UsageError(
-        name + ": relievo " + command.Name + " has no such option; it has " + ListNames(command));
+      throw UsageError(name + ": relievo " + command.Name + " has no such option" +
+        ListSimilar(name, command) + " See relievo " + command.Name + " --help");
     }
     if (row->IsFlag())
     {
