@@ -119,9 +119,11 @@ def draw_all(names, size, order, samples, folder):
 def in_process(change, names, size, folder):
     """Draws the scenes; returns whether the process ended well."""
     words = json.dumps([names, size, change.order, change.samples, str(folder)])
+    environment = {**os.environ, **change.environment}
+    if change.python != sys.executable:
+        environment.pop("PYTHONPATH", None)  # of the VTK here
     return subprocess.run([change.python, __file__, "--draw", words],
-                          env={**os.environ, **change.environment}, capture_output=True,
-                          check=False).returncode == 0  # fmt: skip
+                          env=environment, capture_output=True, check=False).returncode == 0  # fmt: skip
 
 
 def drawn(change, names, size, folder):
