@@ -122,8 +122,9 @@ def in_process(change, names, size, folder):
     environment = {**os.environ, **change.environment}
     if change.python != sys.executable:
         environment.pop("PYTHONPATH", None)  # of the VTK here
-    return subprocess.run([change.python, __file__, "--draw", words],
-                          env=environment, capture_output=True, check=False).returncode == 0  # fmt: skip
+    done = subprocess.run([change.python, __file__, "--draw", words], env=environment,
+                          capture_output=True, check=False)  # fmt: skip
+    return done.returncode == 0
 
 
 def drawn(change, names, size, folder):

@@ -109,7 +109,7 @@ vtkRelievoTemporaryFile::Uninterrupted::~Uninterrupted()
 
 //------------------------------------------------------------------------------
 vtkRelievoTemporaryFile::vtkRelievoTemporaryFile(
-  const std::string& folder, std::error_code& trouble)
+  const std::string& folder, std::error_code& trouble, const char* extension)
 {
   constexpr int tries = 16;
   std::random_device random;
@@ -118,7 +118,7 @@ vtkRelievoTemporaryFile::vtkRelievoTemporaryFile(
   for (int i = 0; i < tries && !file; ++i)
   {
     char name[64];
-    std::snprintf(name, sizeof(name), ".relievo-%08x%08x.tmp", random(), random());
+    std::snprintf(name, sizeof(name), ".relievo-%08x%08x%s", random(), random(), extension);
     this->Name = (std::filesystem::path(folder) / name).string();
     file = std::fopen(this->Name.c_str(), "wbx"); // x: fails if the name exists, even as a link
     if (!file && errno != EEXIST)

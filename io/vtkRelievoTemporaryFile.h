@@ -14,9 +14,10 @@
 class VTKRELIEVOIO_EXPORT vtkRelievoTemporaryFile
 {
 public:
-  // Makes a new, empty file in the folder, with an unpredictable name: `.relievo-NUMBER.tmp`. On
-  // failure, sets `trouble` and has no name.
-  vtkRelievoTemporaryFile(const std::string& folder, std::error_code& trouble);
+  // Makes a new, empty file in the folder, with an unpredictable name: `.relievo-NUMBER.tmp`, or
+  // with another extension for code that chooses by it. On failure, sets `trouble` and has no name.
+  vtkRelievoTemporaryFile(
+    const std::string& folder, std::error_code& trouble, const char* extension = ".tmp");
   // Removes the file, unless it was moved.
   ~vtkRelievoTemporaryFile();
   vtkRelievoTemporaryFile(const vtkRelievoTemporaryFile&) = delete;

@@ -49,25 +49,6 @@ std::vector<std::string> GetWordsOf(
   }
   return settings.GetWords();
 }
-
-// Names objects by their files; several objects of one file share its name.
-void NameObjects(vtkRelievoBaseline* baseline, const Scene& scene, const RenderOptions& options)
-{
-  int actor = 0;
-  for (std::size_t i = 0; i < scene.Counts.size(); ++i)
-  {
-    const std::string name = std::filesystem::path(options.Files[i]).filename().string();
-    for (int k = 0; k < scene.Counts[i]; ++k)
-    {
-      baseline->SetObjectName(actor++, name);
-    }
-  }
-  if (scene.Ground)
-  {
-    const int place = scene.Renderer->GetActors()->IsItemPresent(scene.Ground);
-    baseline->SetObjectName(place - 1, "ground");
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -77,7 +58,10 @@ vtkSmartPointer<vtkImageData> MakeBaseline(const DressedScene& dressed,
   vtkNew<vtkRelievoBaseline> baseline;
   baseline->SetPortable(portable);
   baseline->SetRenderer(dressed.GetRenderer());
-  NameObjects(baseline, dressed.GetScene(), options);
+  for (const auto& [actor, name] : dressed.GetObjectNames())
+  {
+    baseline->SetObjectName(actor, name);
+  }
   auto image = vtkSmartPointer<vtkImageData>::New();
   Messages::Check("the baseline", !baseline->Capture(image), "cannot be drawn");
   vtkNew<vtkStringArray> words;

@@ -18,6 +18,7 @@
 #include "vtkRenderWindow.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <vector>
 
@@ -175,6 +176,26 @@ bool DressedScene::IsOfFiles(vtkActor* actor) const
 {
   return std::any_of(this->Parts.begin(), this->Parts.end(),
     [actor](const Part& part) { return part.Actor == actor; });
+}
+
+//------------------------------------------------------------------------------
+std::map<int, std::string> DressedScene::GetObjectNames() const
+{
+  std::map<int, std::string> names;
+  int actor = 0;
+  for (std::size_t i = 0; i < this->Read.Counts.size(); ++i)
+  {
+    const std::string name = std::filesystem::path(this->Options.Files[i]).filename().string();
+    for (int k = 0; k < this->Read.Counts[i]; ++k)
+    {
+      names[actor++] = name;
+    }
+  }
+  if (this->Read.Ground)
+  {
+    names[this->GetRenderer()->GetActors()->IsItemPresent(this->Read.Ground) - 1] = "ground";
+  }
+  return names;
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@
 #include "vtkTexture.h"
 
 #include <array>
+#include <map>
 #include <string>
 
 class vtkRelievoPass;
@@ -61,6 +62,10 @@ public:
 
   /// Whether the actor was read from a file, unlike a skeleton, the ground or lines.
   bool IsOfFiles(vtkActor* actor) const;
+
+  /// The names of actors, by their index in the renderer: those of their files. Several actors of
+  /// one file share its name.
+  std::map<int, std::string> GetObjectNames() const;
 
   vtkRenderer* GetRenderer() const { return this->Read.Renderer; }
   vtkRelievoPass* GetFrame() const; ///< null: VTK draws the picture without a frame

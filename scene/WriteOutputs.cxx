@@ -43,6 +43,7 @@
 #include "vtkPolygon.h"
 #include "vtkProperty.h"
 #include "vtkRelievoEXRWriter.h"
+#include "vtkRelievoGltfWriter.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
@@ -397,7 +398,8 @@ void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages
 std::vector<std::pair<std::string, std::string>> GetPlaces(const RenderOptions& options)
 {
   std::vector<std::pair<std::string, std::string>> places = { { "--png", options.PNG },
-    { "--exr", options.EXR }, { "--baseline", options.Baseline }, { "--report", options.Report } };
+    { "--exr", options.EXR }, { "--baseline", options.Baseline }, { "--gltf", options.Gltf },
+    { "--report", options.Report } };
   places.erase(std::remove_if(places.begin(), places.end(),
                  [](const auto& place) { return place.second.empty(); }),
     places.end());
@@ -435,6 +437,24 @@ void OnOutputs(const Outputs& outputs, Work work)
   catch (const WorkError& error)
   {
     throw FileError(outputs.WithGivenNames(error.what()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteGltf(const DressedScene& dressed, const RenderOptions& options, Outputs& outputs)
+{
+  vtkNew<vtkRelievoGltfWriter> writer;
+  writer->SetRenderer(dressed.GetRenderer());
+  writer->SetFileName(outputs.Temporary(options.Gltf));
+  writer->SetUpAxis(options.UpAxis);
+  for (const auto& [actor, name] : dressed.GetObjectNames())
+  {
+    writer->SetObjectName(actor, name);
+  }
+  Messages::Check(options.Gltf, !writer->Write(), "cannot be written");
+  for (int i = 0; i < writer->GetNumberOfNotes(); ++i)
+  {
+    Messages::Note("--gltf: " + writer->GetNote(i));
   }
 }
 
@@ -567,6 +587,10 @@ vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* p
     if (baseline)
     {
       WriteEXR(baseline, options.Baseline, outputs, progress);
+    }
+    if (!options.Gltf.empty())
+    {
+      WriteGltf(dressed, options, outputs);
     }
     if (!options.Report.empty())
     {

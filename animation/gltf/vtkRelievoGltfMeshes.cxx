@@ -62,6 +62,9 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeColors(
   {
     return nullptr;
   }
+  // VTK's PBR decodes by a power, and unlit colours are multiplied with a texture's coded texels;
+  // those of other unlit surfaces are drawn as they are.
+  const bool drawn = material.IsUnlit && material.BaseColorTexture.Image.empty();
   const bool coded = material.IsUnlit || RELIEVO_VTK_PBR_SRGB_VERTEX_COLORS;
   auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
   colors->SetName("RGBA");
@@ -73,7 +76,9 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeColors(
     const glm::dvec4 color = own * glm::dvec4(glm::dvec3(material.BaseColor), 1.);
     for (int i = 0; i < 3; ++i)
     {
-      const double level = coded ? std::pow(color[i], 1. / 2.2) : color[i];
+      const double level = drawn ? f64::relievoSrgbFromLinear(color[i])
+        : coded                  ? std::pow(color[i], 1. / 2.2)
+                                 : color[i];
       *to++ = static_cast<unsigned char>(std::lround(255. * std::clamp(level, 0., 1.)));
     }
     const double alpha = material.Alpha == AlphaMode::Opaque ? 1. : color.a;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoModelLook.h"
 
+#include "vtkRelievoFormulas.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkRelievoWrapTexture.h"
 
@@ -21,11 +22,6 @@ namespace relievo
 namespace
 {
 constexpr double Degrees = 57.29577951308232;
-
-double ToSrgb(double linear)
-{
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1. / 2.4) - 0.055;
-}
 
 vtkSmartPointer<vtkImageData> MakeImage(int width, int height, int components)
 {
@@ -181,7 +177,7 @@ vtkSmartPointer<vtkProperty> ModelLook::MakeProperty(
     // encoded, too: exact as far as the curve is a power.
     for (int i = 0; i < 3; ++i)
     {
-      color[i] = textured ? std::pow(color[i], 1. / 2.2) : ToSrgb(color[i]);
+      color[i] = textured ? std::pow(color[i], 1. / 2.2) : f64::relievoSrgbFromLinear(color[i]);
     }
     property->SetColor(&color[0]);
     property->SetInterpolationToPhong();

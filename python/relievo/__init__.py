@@ -115,6 +115,7 @@ from ._dataset import write_dataset
 from ._environment import environment
 from ._exr import read_exr, write_exr
 from ._frame import report, vtkRelievoPass
+from ._gltf import write_gltf
 from ._image import attributes, from_image, layer, layer_names, to_image
 from ._keep import attach, detach
 from ._layers import layers
@@ -187,5 +188,6 @@ __all__ = [
     "write_baseline",
     "write_dataset",
     "write_exr",
+    "write_gltf",
     "write_png",
 ]

@@ -204,21 +204,12 @@ def _drawn(thing, size=None, names=None, portable=False):
             raise ValueError("size, names: got them with a scene, which has its own")
         thing.capture_baseline(image, portable)
         return captured(image)
-    named = _names_in(thing) if names is None else names
     renderer, made = renderer_of(thing)
     size = (1024, 768) if made and size is None else size
     baseline = vtkRelievoBaseline()
     baseline.SetRenderer(renderer)
     baseline.SetPortable(bool(portable))
-    actors = renderer.GetActors()
-    places = {actors.GetItemAsObject(i): i for i in range(actors.GetNumberOfItems())}
-    for actor, name in named.items():
-        if not isinstance(name, str):
-            raise ValueError(f"names: got {name!r} as an actor's name, expected a str")
-        if names is not None and actor not in places:
-            raise ValueError(f"names: got {name!r} for an actor that the renderer does not have")
-        if actor in places:
-            baseline.SetObjectName(places[actor], name)
+    name_objects(baseline, renderer, thing, names)
     found = kept(renderer)
     held = nullcontext() if found is None else found.held()
     with held, _window_of(renderer, None if size is None else _pixels(size)):
@@ -231,6 +222,19 @@ def _drawn(thing, size=None, names=None, portable=False):
     if not good:
         raise RuntimeError("baseline: the frame cannot be drawn")
     return captured(image)
+
+
+def name_objects(writer, renderer, thing, names):
+    """Gives a writer the names of a renderer's actors: the given ones, or those of a plotter."""
+    actors = renderer.GetActors()
+    places = {actors.GetItemAsObject(i): i for i in range(actors.GetNumberOfItems())}
+    for actor, name in (_names_in(thing) if names is None else names).items():
+        if not isinstance(name, str):
+            raise ValueError(f"names: got {name!r} as an actor's name, expected a str")
+        if names is not None and actor not in places:
+            raise ValueError(f"names: got {name!r} for an actor that the renderer does not have")
+        if actor in places:
+            writer.SetObjectName(places[actor], name)
 
 
 def _names_in(thing):

@@ -38,6 +38,7 @@ std::string FindWhole(const RenderOptions& options)
     [&options](const std::string& name) { return IsFlowOfFrames(options, name); });
   return !options.Lens.empty()               ? "--lens"
     : !options.Baseline.empty()              ? "--baseline"
+    : !options.Gltf.empty()                  ? "--gltf"
     : !options.Report.empty()                ? "--report"
     : options.Certify                        ? "--certify"
     : options.Look.Grid                      ? "--grid"

@@ -4,6 +4,7 @@
 
 #include "Errors.h"
 #include "Numbers.h"
+#include "Readers.h"
 #include "Triples.h"
 #include "Values.h"
 

@@ -303,7 +303,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
 {
   Rows rows = { all, {} };
   rows.Command.Name = "render";
-  rows.Command.Use = "FILE... --png F | --exr F | --baseline F | --report F";
+  rows.Command.Use = "FILE... --png F | --exr F | --baseline F | --gltf F | --report F";
   rows.Command.About = "render draws the FILEs off screen and writes the outputs that you request.";
   // Words are parsed often: long texts are made once.
   static const std::string extensions = Join(GetExtensions(), "|");
@@ -631,7 +631,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     .OfOutputs = true;
   vtkRelievoOption& turn = rows.Add("--turntable", "N",
     "draws N frames while the camera goes once around the scene, about the up axis, "
-    "counter-clockwise seen from above; the names of --png, --exr, --baseline and --report must "
+    "counter-clockwise seen from above; the names of --png, --exr, --baseline, --gltf and --report "
+    "must "
     "contain %d or %04d, the frame number from 0. The fitted camera sees the scene in all frames",
     [](RenderOptions& options, const std::string& word) {
       options.Motion.Turntable = ParseWhole("--turntable", word, 2, 1000000);
@@ -684,6 +685,14 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       "all processors and drivers; surfaces only",
       all.Portable)
     .OfOutputs = true;
+  vtkRelievoOption& gltf = rows.Add("--gltf", "F",
+    "glTF: the scene's surfaces with their colours, materials, lights and camera, in one .glb file "
+    "that is read again and compared with the scene",
+    [](RenderOptions& options, const std::string& word) {
+      options.Gltf = NamedAs(".glb", "--gltf", word);
+    });
+  gltf.OfOutputs = true;
+  gltf.Files = "glb";
   vtkRelievoOption& report = rows.Add("--report", "F",
     "the frame report, JSON: which stages ran and why, GPU milliseconds, bytes held",
     [](RenderOptions& options, const std::string& word) { options.Report = word; });
@@ -821,6 +830,10 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
       "--baseline and --lens: a baseline needs a pinhole camera; give --exr F, which "
       "`relievo compare` accepts as well");
   }
+  if (!options.Gltf.empty() && !options.Lens.empty())
+  {
+    throw UsageError("--gltf and --lens: give one of them; glTF has pinhole cameras alone");
+  }
   if (options.Portable && options.Baseline.empty())
   {
     throw UsageError("--portable: describes a baseline: give --baseline F as well");
@@ -863,10 +876,11 @@ void CheckOutputs(const RenderOptions& options)
     throw UsageError("render: no FILE given; see relievo render --help");
   }
   if (options.PNG.empty() && options.EXR.empty() && options.Baseline.empty() &&
-    options.Report.empty() && options.Motion.Video.empty() && !options.Certify)
+    options.Gltf.empty() && options.Report.empty() && options.Motion.Video.empty() &&
+    !options.Certify)
   {
     throw UsageError("render: nothing to write: give --png F, --exr F, --video F, "
-                     "--baseline F.exr, --report F.json or --certify N");
+                     "--baseline F.exr, --gltf F.glb, --report F.json or --certify N");
   }
 }
 

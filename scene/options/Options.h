@@ -64,6 +64,7 @@ struct RenderOptions
   std::vector<std::string> Layers;  ///< each once; of the EXR besides its colour
   std::string PNG, EXR, Report;     ///< empty: not requested
   std::string Baseline;             ///< an EXR to compare with; empty: not requested
+  std::string Gltf;                 ///< a .glb; empty: not requested
 
   bool WantsPicture() const { return !this->PNG.empty() || !this->Motion.Video.empty(); }
 };

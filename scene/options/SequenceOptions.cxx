@@ -113,7 +113,8 @@ void CheckSequence(const RenderOptions& options, const std::set<std::string>& gi
       "--fps: there is neither a film nor a camera's path: give --video F or --camera-path F");
   }
   const std::pair<const char*, std::string> places[] = { { "--png", options.PNG },
-    { "--exr", options.EXR }, { "--baseline", options.Baseline }, { "--report", options.Report } };
+    { "--exr", options.EXR }, { "--baseline", options.Baseline }, { "--gltf", options.Gltf },
+    { "--report", options.Report } };
   if (motion.Resume)
   {
     if (std::all_of(std::begin(places), std::end(places),

@@ -71,7 +71,7 @@ class Completion(unittest.TestCase):
             if verb == "dataset":  # of a scene of render, but poses and files of its own
                 known |= set(options_of("render")) - {
                     "--camera", "--parallel-scale", "--clip", "--times", "--png", "--exr",
-                    "--baseline", "--portable", "--report", "--hdr", "--transparent",
+                    "--baseline", "--gltf", "--portable", "--report", "--hdr", "--transparent",
                     "--certify", "--figure", "--turntable", "--camera-path", "--video", "--fps",
                     "--resume"}  # fmt: skip
             self.assertEqual(sorted(offered), sorted(known))
@@ -79,8 +79,8 @@ class Completion(unittest.TestCase):
     def test_the_viewer_takes_the_words_of_render(self):
         viewer = RELIEVO + "-viewer"
         offered = complete("-", known="", program=viewer)  # asks the command beside it
-        outputs = {"--png", "--exr", "--baseline", "--portable", "--report", "--layers", "--hdr",
-                   "--lens", "--transparent", "--certify", "--turntable", "--camera-path",
+        outputs = {"--png", "--exr", "--baseline", "--gltf", "--portable", "--report", "--layers",
+                   "--hdr", "--lens", "--transparent", "--certify", "--turntable", "--camera-path",
                    "--video", "--fps", "--resume"}  # fmt: skip
         own = {"--once", "--help", "--version"}
         self.assertEqual(set(offered), set(options_of("render")) - outputs | own)

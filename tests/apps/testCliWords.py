@@ -127,7 +127,7 @@ class Words(CliTest):
                             says=["--sise", "no such option; did you mean --size",
                                   "relievo render --help"])  # fmt: skip
         self.assertNotIn("8x8", done.stderr)
-        self.refused("render", "triangle.off", "--no-shadows", status=2, says="mean --shadows or")
+        self.refused("render", "--no-shadows", status=2, says="did you mean --shadows or")
         self.refused("render", "triangle.off", "--quick-and-dirty", status=2,
                      says="relievo render has no such option. See relievo render --help")  # fmt: skip
         self.refused("render", "-p", "triangle.off", status=2, says="-p: relievo render has no")

@@ -104,8 +104,13 @@ class GltfTest(unittest.TestCase):
         """Base colour times the points' colours; alpha is that of the points."""
         base = truth.material.get("pbrMetallicRoughness", {}).get("baseColorFactor", [1] * 4)
         wanted = truth.colors * [*base[:3], 1]
-        if "KHR_materials_unlit" in truth.material.get("extensions", {}) or VERSION >= (9, 7):
-            wanted[..., :3] **= 1 / 2.2
+        unlit = "KHR_materials_unlit" in truth.material.get("extensions", {})
+        light = wanted[..., :3]
+        if unlit and "baseColorTexture" not in truth.material.get("pbrMetallicRoughness", {}):
+            light[:] = numpy.where(light <= 0.0031308, 12.92 * light,
+                                   1.055 * light ** (1 / 2.4) - 0.055)  # fmt: skip
+        elif unlit or VERSION >= (9, 7):
+            light **= 1 / 2.2
         if truth.material.get("alphaMode", "OPAQUE") == "OPAQUE":
             wanted[..., 3] = 1
         self.assertLessEqual(numpy.abs(given - 255 * wanted).max(), 0.51)

@@ -9,10 +9,20 @@ import unittest
 
 import numpy
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersCore import vtkElevationFilter
+from vtkmodules.vtkFiltersSources import (
+    vtkConeSource,
+    vtkCubeSource,
+    vtkLineSource,
+    vtkSphereSource,
+)
+from vtkmodules.vtkIOGeometry import vtkGLTFReader
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkGlyph3DMapper,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
@@ -478,13 +488,215 @@ class Light(GltfTest):
         lit = 2 * (0.96 * product + 0.01) / numpy.pi
         wanted = 255 * lit ** (1 / 2.2)
         self.assertLessEqual(numpy.abs(seen[SIZE // 2, SIZE // 2] - wanted).max(), 3)
+        # Unlit colours are those of sRGB itself, with colours of points and without.
         seen = self.render(light, {"pbrMetallicRoughness": base, **UNLIT}, colors=colors)
-        wanted = 255 * product ** (1 / 2.2)
-        self.assertLessEqual(numpy.abs(seen[SIZE // 2, SIZE // 2] - wanted).max(), 2)
-        # Without colours of points the curve of sRGB itself.
+        wanted = 255 * (1.055 * product ** (1 / 2.4) - 0.055)
+        self.assertLessEqual(numpy.abs(seen[SIZE // 2, SIZE // 2] - wanted).max(), 1)
         seen = self.render(light, {"pbrMetallicRoughness": base, **UNLIT})
         wanted = 255 * (1.055 * numpy.array([0.5, 1, 0.5]) ** (1 / 2.4) - 0.055)
         self.assertLessEqual(numpy.abs(seen[SIZE // 2, SIZE // 2] - wanted).max(), 1)
+
+
+def linear_of(srgb):
+    return numpy.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
+
+
+def mapped(mapper, values):
+    """The colours of a mapper's table, which has 8 bits."""
+    colors = numpy.zeros((len(values), 3))
+    for value, color in zip(values, colors, strict=True):
+        found = [0.0] * 3
+        mapper.GetLookupTable().GetColor(value, found)
+        color[:] = found
+    return numpy.round(255 * colors) / 255
+
+
+class Written(GltfTest):
+    """Scenes as write_gltf() writes them, read by the evaluator and by VTK's own reader."""
+
+    def setUp(self):
+        super().setUp()
+        self.path = str(self.folder / "out.glb")
+        self.renderer = vtkRenderer()
+        self.window = vtkRenderWindow()
+        self.window.OffScreenRenderingOn()
+        self.window.SetSize(SIZE, SIZE)
+        self.window.AddRenderer(self.renderer)
+
+    def add(self, source):
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(source.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        self.renderer.AddActor(actor)
+        return actor
+
+    def sphere(self):
+        source = vtkSphereSource()
+        source.SetThetaResolution(24)
+        source.SetPhiResolution(12)
+        heights = vtkElevationFilter()
+        heights.SetInputConnection(source.GetOutputPort())
+        heights.SetLowPoint(0, 0, -0.5)
+        heights.SetHighPoint(0, 0, 0.5)
+        return heights
+
+    def write(self, **words):
+        self.renderer.ResetCamera()
+        notes = relievo.write_gltf(self.path, self.renderer, **words)
+        return Scene(self.path), notes
+
+    def test_points_normals_and_colors(self):
+        """A turned, stretched and moved sphere, coloured by height, in a scene with z up."""
+        actor = self.add(self.sphere())
+        actor.SetPosition(3, -2, 1)
+        actor.RotateX(40)
+        actor.SetScale(1, 2, 0.5)
+        scene, notes = self.write(up="z", names={actor: "ball"})
+        self.assertEqual(notes, [])
+        (found,) = scene.primitives()
+        self.assertIn("ball", [node.get("name") for node in scene.nodes])
+        data = actor.GetMapper().GetInput()
+        cells = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        matrix = numpy.array([[actor.GetMatrix().GetElement(i, j) for j in range(4)]
+                              for i in range(4)])  # fmt: skip
+        upright = numpy.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]])
+        points = vtk_to_numpy(data.GetPoints().GetData())[cells]
+        wanted = (points @ matrix[:3, :3].T + matrix[:3, 3]) @ upright.T
+        self.assertLess(numpy.abs(found.points - wanted).max(), 1e-6)
+        normals = vtk_to_numpy(data.GetPointData().GetNormals())[cells]
+        wanted = normals @ numpy.linalg.inv(matrix[:3, :3]) @ upright.T
+        wanted /= numpy.linalg.norm(wanted, axis=-1, keepdims=True)
+        self.assertLess(numpy.abs(found.normals - wanted).max(), 1e-6)
+        heights = vtk_to_numpy(data.GetPointData().GetScalars())
+        wanted = linear_of(mapped(actor.GetMapper(), heights))[cells]
+        self.assertLess(numpy.abs(found.colors[..., :3] - wanted).max(), 1 / 65535)
+
+    def test_colors_of_cells(self):
+        source = vtkCubeSource()
+        source.Update()
+        numbers = numpy_to_vtk(numpy.arange(6.0), deep=True)
+        source.GetOutput().GetCellData().SetScalars(numbers)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(source.GetOutput())
+        mapper.SetScalarRange(0, 5)
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        self.renderer.AddActor(actor)
+        (found,) = self.write()[0].primitives()
+        wanted = linear_of(mapped(mapper, range(6)))
+        wanted = numpy.repeat(wanted, 2, axis=0)  # two triangles a side
+        self.assertLess(numpy.abs(found.colors[..., :3] - wanted[:, None]).max(), 1 / 65535)
+        reader = vtkGLTFReader()
+        reader.SetFileName(self.path)
+        reader.Update()
+        self.assertEqual(reader.GetOutput().GetNumberOfCells(), 12)
+        self.assertEqual(reader.GetOutput().GetNumberOfPoints(), 36)
+
+    def test_maps_of_values_are_textures(self):
+        """A colour map that VTK looks up for each pixel."""
+        actor = self.add(self.sphere())
+        actor.GetMapper().InterpolateScalarsBeforeMappingOn()
+        (found,) = self.write()[0].primitives()
+        self.assertIn("baseColorTexture", found.material["pbrMetallicRoughness"])
+        self.assertIsNone(found.colors)
+
+    def test_far_from_the_origin(self):
+        actor = self.add(self.sphere())
+        source = actor.GetMapper().GetInputAlgorithm().GetInputAlgorithm()
+        source.SetOutputPointsPrecision(1)  # double
+        source.SetCenter(5e6, 3e6 + 0.125, -1e6)
+        (found,) = self.write()[0].primitives()
+        middle = (found.points.min(axis=(0, 1)) + found.points.max(axis=(0, 1))) / 2
+        self.assertLess(numpy.abs(middle - [5e6, 3e6 + 0.125, -1e6]).max(), 1e-6)
+
+    def test_materials_lights_and_camera(self):
+        actor = self.add(self.sphere())
+        actor.GetMapper().ScalarVisibilityOff()
+        actor.GetProperty().SetColor(0.5, 0.25, 1)
+        light = vtkLight()
+        light.SetLightTypeToSceneLight()
+        light.SetPosition(1, 5, 2)
+        light.SetFocalPoint(1, 2, -2)
+        light.SetIntensity(0.5)
+        self.renderer.AddLight(light)
+        lamp = vtkLight()
+        lamp.SetLightTypeToSceneLight()
+        lamp.PositionalOn()
+        lamp.SetConeAngle(30)
+        lamp.SetPosition(0, 0, 4)
+        lamp.SetAttenuationValues(0, 0, 1)
+        self.renderer.AddLight(lamp)
+        scene, notes = self.write()
+        self.assertEqual(notes, [])
+        (found,) = scene.primitives()
+        base = found.material["pbrMetallicRoughness"]
+        wanted = [*linear_of(numpy.array([0.5, 0.25, 1])), 1]
+        self.assertLess(numpy.abs(numpy.array(base["baseColorFactor"]) - wanted).max(), 1e-12)
+        self.assertEqual(base["metallicFactor"], 0)
+        (_, along, sun), (place, _, spot) = scene.lights()
+        self.assertLess(numpy.abs(along - numpy.array([0, -0.6, -0.8])).max(), 1e-12)
+        self.assertAlmostEqual(sun["intensity"], 0.5 * numpy.pi)
+        self.assertEqual(list(place), [0, 0, 4])
+        self.assertAlmostEqual(spot["intensity"], numpy.pi)
+        self.assertAlmostEqual(spot["spot"]["outerConeAngle"], numpy.pi / 6)
+        camera = self.renderer.GetActiveCamera()
+        (lens,) = scene.file.list("cameras")
+        self.assertAlmostEqual(lens["perspective"]["yfov"], numpy.radians(camera.GetViewAngle()))
+        # PBR keeps its values, and its lights theirs.
+        actor.GetProperty().SetInterpolationToPBR()
+        actor.GetProperty().SetRoughness(0.3)
+        scene, _ = self.write()
+        base = scene.primitives()[0].material["pbrMetallicRoughness"]
+        self.assertEqual(base["baseColorFactor"][:3], [0.5, 0.25, 1])
+        self.assertEqual(base["roughnessFactor"], 0.3)
+        self.assertEqual(scene.lights()[0][2]["intensity"], 0.5)
+
+    def test_glyphs_blocks_and_clipping(self):
+        """Cones at three points; the file passes its own comparison with the drawn scene."""
+        cone = vtkConeSource()
+        glyphs = vtkGlyph3DMapper()
+        line = vtkLineSource()
+        line.SetResolution(2)
+        glyphs.SetInputConnection(line.GetOutputPort())
+        glyphs.SetSourceConnection(cone.GetOutputPort())
+        glyphs.SetScaleFactor(0.3)
+        actor = vtkActor()
+        actor.SetMapper(glyphs)
+        self.renderer.AddActor(actor)
+        ball = self.add(self.sphere())
+        ball.SetPosition(0, 1, 0)
+        plane = vtkPlane()
+        plane.SetOrigin(0, 1, 0)
+        plane.SetNormal(1, 0, 0)
+        ball.GetMapper().AddClippingPlane(plane)
+        cones, half = self.write()[0].primitives()
+        self.assertEqual(len(cones.points), 3 * (6 + 4))  # a base of six corners in four triangles
+        self.assertGreater(half.points[..., 0].min(), -1e-6)
+
+    def test_a_file_of_another_scene_is_not_kept(self):
+        actor = self.add(self.sphere())
+        self.write()
+        before = (self.folder / "out.glb").read_bytes()
+        # A shader moves the sphere where only OpenGL knows.
+        actor.GetShaderProperty().AddVertexShaderReplacement(
+            "//VTK::PositionVC::Impl", True,
+            "//VTK::PositionVC::Impl\ngl_Position.x += 0.2 * gl_Position.w;", False)
+        with self.assertRaisesRegex(RuntimeError, "differs from the scene in depth of"):
+            self.write()
+        self.assertEqual((self.folder / "out.glb").read_bytes(), before)
+        self.assertEqual(len(list(self.folder.iterdir())), 1)
+        self.write(check=False)
+        with self.assertRaisesRegex(ValueError, "ends in .glb"):
+            relievo.write_gltf(self.folder / "out.gltf", self.renderer)
+        with self.assertRaisesRegex(ValueError, "up: got 'w'"):
+            self.write(up="w")
+        self.renderer.RemoveActor(actor)
+        with self.assertRaisesRegex(RuntimeError, "no mesh"):
+            self.write()
+        with self.assertRaises(FileNotFoundError):
+            self.renderer.AddActor(actor)
+            relievo.write_gltf(self.folder / "none" / "out.glb", self.renderer)
 
 
 if __name__ == "__main__":

@@ -83,7 +83,7 @@ const std::set<std::string> Elsewhere = { "--size", "--camera", "--parallel-scal
 // Said as parameters of stages, or no part of a picture.
 const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--shadow-tolerance",
   "--time-budget", "--stage", "--ambient", "--deferred", "--tone", "--exposure", "--certify",
-  "--layers", "--hdr", "--lens", "--png", "--exr", "--baseline", "--portable", "--report",
+  "--layers", "--hdr", "--lens", "--png", "--exr", "--baseline", "--gltf", "--portable", "--report",
   "--transparent", "--figure", "--turntable", "--camera-path", "--video", "--fps", "--resume" };
 
 // The result follows from measured times.

@@ -29,7 +29,7 @@ namespace
 {
 // Options of render that poses or the data set's own files replace.
 constexpr const char* OfRender[] = { "--camera", "--parallel-scale", "--clip", "--times", "--png",
-  "--exr", "--baseline", "--portable", "--report", "--hdr", "--transparent", "--certify",
+  "--exr", "--baseline", "--gltf", "--portable", "--report", "--hdr", "--transparent", "--certify",
   "--figure", "--turntable", "--camera-path", "--video", "--fps", "--resume" };
 
 bool IsOfRender(const std::string& name)

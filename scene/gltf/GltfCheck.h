@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Compares a renderer's layers with those of a glTF file of its scene.
+ */
+#ifndef GltfCheck_h
+#define GltfCheck_h
+
+#include "SceneNames.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <string>
+
+class vtkRenderer;
+
+namespace scene
+{
+/// Draws the file's surfaces from the renderer's camera. In the file, surfaces that are not PBR in
+/// the scene must be unlit, so that both have their colours as drawn. `toFile` takes the scene's
+/// coordinates to the file's. Returns what differs: nothing, or a part of a sentence.
+std::string FindDifference(
+  vtkRenderer* renderer, const std::string& file, const glm::dmat4& toFile);
+}
+
+#endif

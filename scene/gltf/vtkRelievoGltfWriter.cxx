@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoGltfWriter.h"
+
+#include "GltfBuffer.h"
+#include "GltfCheck.h"
+#include "GltfLights.h"
+#include "GltfMaterials.h"
+#include "GltfMeshes.h"
+#include "GltfSurface.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkObjectFactory.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkRelievoGlyphPlaces.h"
+#include "vtkRelievoPropParts.h"
+#include "vtkRelievoTemporaryFile.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+vtkStandardNewMacro(vtkRelievoGltfWriter);
+
+namespace
+{
+using scene::GltfBuffer;
+using Json = GltfBuffer::Json;
+
+// The turn that makes an axis y.
+glm::dmat4 MakeUpright(int axis)
+{
+  const glm::dvec4 x(1., 0., 0., 0.);
+  const glm::dvec4 y(0., 1., 0., 0.);
+  const glm::dvec4 z(0., 0., 1., 0.);
+  const glm::dvec4 w(0., 0., 0., 1.);
+  return axis == 0 ? glm::dmat4(y, -x, z, w) : axis == 2 ? glm::dmat4(x, -z, y, w) : glm::dmat4(1.);
+}
+
+// Writes all bytes; otherwise returns the operating system's error.
+int WriteBytes(const std::string& path, const std::vector<unsigned char>& bytes)
+{
+  errno = 0;
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (!file)
+  {
+    return errno != 0 ? errno : EIO;
+  }
+  const bool isWritten = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  const int trouble = isWritten ? 0 : errno;
+  const bool isClosed = std::fclose(file) == 0;
+  return isWritten && isClosed ? 0 : trouble != 0 ? trouble : errno != 0 ? errno : EIO;
+}
+
+// The file's contents, and what it leaves out.
+struct Contents
+{
+  GltfBuffer Buffer;
+  std::set<std::string> Notes;
+  std::set<std::size_t> Linear; // materials of surfaces with linear colours
+  std::size_t Surfaces = 0;
+};
+
+Contents MakeContents(
+  vtkRenderer* renderer, const glm::dmat4& upright, const std::map<int, std::string>& names)
+{
+  Contents contents;
+  GltfBuffer& buffer = contents.Buffer;
+  buffer.Document["asset"] = { { "version", "2.0" },
+    { "generator", std::string("Relievo ") + RELIEVO_VERSION } };
+  scene::GltfMaterials materials(buffer, contents.Notes);
+  scene::GltfMeshes meshes(buffer, materials, contents.Notes);
+  vtkRelievoGlyphPlaces glyphs(vtkRelievoGlyphPlaces::Numbers::Exact);
+  const auto nameOf = [&](vtkActor* actor) {
+    const auto found = names.find(renderer->GetActors()->IsItemPresent(actor) - 1);
+    return found == names.end() ? std::string() : found->second;
+  };
+  std::vector<std::size_t> roots;
+  bool isPBR = false;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (!prop->GetVisibility())
+    {
+      continue;
+    }
+    std::vector<vtkRelievoPropParts::Part> parts;
+    vtkRelievoPropParts::Collect(prop, parts);
+    for (const vtkRelievoPropParts::Part& part : parts)
+    {
+      if (vtkVolume::SafeDownCast(part.Prop))
+      {
+        contents.Notes.insert("volumes are left out: glTF has none");
+      }
+      vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
+      if (!actor || !actor->GetVisibility() || vtkRelievoPropParts::IsAnnotation(actor))
+      {
+        continue;
+      }
+      const std::string name = nameOf(actor);
+      std::vector<scene::GltfSurface> surfaces;
+      const std::string trouble = scene::CollectSurfaces(actor, part.Matrix, glyphs, surfaces);
+      if (!trouble.empty())
+      {
+        contents.Notes.insert((name.empty() ? "an actor" : name) + " is left out: " + trouble);
+      }
+      for (const scene::GltfSurface& surface : surfaces)
+      {
+        if (const auto node = meshes.Add(surface, name))
+        {
+          roots.push_back(*node);
+          ++contents.Surfaces;
+          isPBR = isPBR || scene::HasLinearColors(surface);
+        }
+      }
+    }
+  }
+  contents.Linear = materials.GetLinear();
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  const glm::dvec3 center(
+    (bounds[0] + bounds[1]) / 2., (bounds[2] + bounds[3]) / 2., (bounds[4] + bounds[5]) / 2.);
+  for (const std::size_t node : scene::AddLights(buffer, renderer, center, isPBR, contents.Notes))
+  {
+    roots.push_back(node);
+  }
+  roots.push_back(scene::AddCamera(buffer, renderer));
+  if (upright != glm::dmat4(1.))
+  {
+    Json turned = scene::GltfPlace::Find(upright)->GetNode("up");
+    turned["children"] = roots;
+    roots = { buffer.Append("nodes", std::move(turned)) };
+  }
+  buffer.Document["scenes"] = Json::array({ { { "nodes", roots } } });
+  buffer.Document["scene"] = 0;
+  return contents;
+}
+
+// The file with surfaces unlit that are not PBR in the scene: it shows their colours unchanged.
+std::vector<unsigned char> MakeUnlit(const Contents& contents)
+{
+  GltfBuffer buffer = contents.Buffer;
+  buffer.Use("KHR_materials_unlit");
+  Json& materials = buffer.Document["materials"];
+  for (std::size_t i = 0; i < materials.size(); ++i)
+  {
+    if (contents.Linear.count(i) == 0)
+    {
+      materials[i]["extensions"]["KHR_materials_unlit"] = Json::object();
+    }
+  }
+  return buffer.GetFile();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoGltfWriter::vtkRelievoGltfWriter() = default;
+
+//------------------------------------------------------------------------------
+vtkRelievoGltfWriter::~vtkRelievoGltfWriter() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoGltfWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Renderer.Get() << "\n";
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "UpAxis: " << this->UpAxis << "\n";
+  os << indent << "Check: " << this->Check << "\n";
+  os << indent << "Names: " << this->Names.size() << "\n";
+  os << indent << "Notes: " << this->Notes.size() << "\n";
+  os << indent << "SystemError: " << this->SystemError << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGltfWriter::SetRenderer(vtkRenderer* renderer)
+{
+  if (this->Renderer != renderer)
+  {
+    this->Renderer = renderer;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkRelievoGltfWriter::GetRenderer()
+{
+  return this->Renderer;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGltfWriter::SetFileName(RELIEVO_TEXT name)
+{
+  this->FileName = name;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGltfWriter::SetObjectName(int actor, RELIEVO_TEXT name)
+{
+  this->Names[actor] = name;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoGltfWriter::GetObjectName(int actor)
+{
+  const auto found = this->Names.find(actor);
+  return found == this->Names.end() ? std::string() : found->second;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoGltfWriter::GetNote(int i)
+{
+  return i >= 0 && i < this->GetNumberOfNotes() ? this->Notes[static_cast<std::size_t>(i)] : "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGltfWriter::Write()
+{
+  this->Notes.clear();
+  this->SystemError = 0;
+  if (!this->Renderer || !this->Renderer->GetRenderWindow() || this->FileName.empty())
+  {
+    vtkErrorMacro("Write needs a renderer in a render window, and a file name; set them with "
+                  "SetRenderer and SetFileName.");
+    return false;
+  }
+  this->Renderer->GetRenderWindow()->Render(); // places lights that follow the camera
+  const glm::dmat4 upright = MakeUpright(this->UpAxis);
+  const Contents contents = MakeContents(this->Renderer, upright, this->Names);
+  this->Notes.assign(contents.Notes.begin(), contents.Notes.end());
+  if (contents.Surfaces == 0)
+  {
+    vtkErrorMacro(
+      "Cannot write '" << this->FileName << "': the renderer shows no mesh that glTF can hold.");
+    return false;
+  }
+  const std::vector<unsigned char> bytes = contents.Buffer.GetFile();
+  if (bytes.empty())
+  {
+    vtkErrorMacro("Cannot write '" << this->FileName
+                                   << "': it would exceed the 4 GiB of a .glb file; show less.");
+    return false;
+  }
+  const std::string folder = std::filesystem::path(this->FileName).parent_path().string();
+  const auto make = [&](const std::vector<unsigned char>& from, auto&& use) {
+    std::error_code trouble;
+    vtkRelievoTemporaryFile file(folder.empty() ? "." : folder, trouble, ".glb"); // for the reader
+    this->SystemError = trouble ? trouble.value() : WriteBytes(file.GetName(), from);
+    if (this->SystemError == 0)
+    {
+      use(file);
+    }
+  };
+  std::string difference;
+  if (this->Check)
+  {
+    make(MakeUnlit(contents), [&](vtkRelievoTemporaryFile& file) {
+      difference = scene::FindDifference(this->Renderer, file.GetName(), upright);
+    });
+  }
+  if (this->SystemError == 0 && difference.empty())
+  {
+    make(bytes, [&](vtkRelievoTemporaryFile& file) {
+      std::error_code trouble;
+      file.MoveTo(this->FileName, trouble);
+      this->SystemError = trouble.value();
+    });
+  }
+  if (this->SystemError != 0)
+  {
+    vtkErrorMacro("Cannot write '"
+      << this->FileName << "': " << std::generic_category().message(this->SystemError) << ".");
+  }
+  else if (!difference.empty())
+  {
+    vtkErrorMacro("Not written: '" << this->FileName << "' " << difference
+                                   << "; CheckOff() writes it nevertheless.");
+  }
+  return this->SystemError == 0 && difference.empty();
+}
