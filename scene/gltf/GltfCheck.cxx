@@ -95,8 +95,8 @@ enum Layer
   Layers
 };
 
-// Whether the neighbourhood of a pixel shows what the pixel of the other picture does: depths in its
-// range, and a normal and a colour that agree.
+// Whether the other picture's pixels around a pixel agree with it: in the range of their depths, and
+// with one of their normals and colours.
 std::array<bool, Layers> Compare(const Pixel& pixel, const Picture& found, int x, int y)
 {
   std::array<bool, Layers> alike{};

@@ -414,7 +414,11 @@ std::optional<std::size_t> GltfMeshes::Add(const GltfSurface& surface, const std
   {
     return std::nullopt;
   }
-  const std::size_t mesh = this->Buffer.Append("meshes", { { "primitives", primitives } });
+  Json mesh = { { "primitives", primitives } };
+  if (!name.empty())
+  {
+    mesh["name"] = name;
+  }
   if (found)
   {
     place.Translation = glm::dvec3(surface.MeshToWorld * glm::dvec4(*origin, 1.));
@@ -424,7 +428,7 @@ std::optional<std::size_t> GltfMeshes::Add(const GltfSurface& surface, const std
     place.Translation = *origin;
   }
   Json node = place.GetNode(name);
-  node["mesh"] = mesh;
+  node["mesh"] = this->Buffer.Append("meshes", std::move(mesh));
   return this->Buffer.Append("nodes", std::move(node));
 }
 }

@@ -632,8 +632,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   vtkRelievoOption& turn = rows.Add("--turntable", "N",
     "draws N frames while the camera goes once around the scene, about the up axis, "
     "counter-clockwise seen from above; the names of --png, --exr, --baseline, --gltf and --report "
-    "must "
-    "contain %d or %04d, the frame number from 0. The fitted camera sees the scene in all frames",
+    "must contain %d or %04d, the frame number from 0. The fitted camera sees the scene in all "
+    "frames",
     [](RenderOptions& options, const std::string& word) {
       options.Motion.Turntable = ParseWhole("--turntable", word, 2, 1000000);
     });
