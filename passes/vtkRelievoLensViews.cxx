@@ -220,9 +220,8 @@ std::string vtkRelievoLensViews::Plan(vtkRelievoCameraModel* sensor, double over
       if (!(pixels <= MostInAll))
       {
         std::ostringstream text;
-        text << "the lens's picture would take " << pixels
-             << " pixels each way, expected at most " << MostInAll
-             << ": its pixels differ too much in size";
+        text << "the lens's picture would take " << pixels << " pixels each way, expected at most "
+             << MostInAll << ": its pixels differ too much in size";
         return text.str();
       }
       counts[i] = static_cast<int>(pixels);
