@@ -95,8 +95,7 @@ void vtkRelievoDisplayStage::Describe(vtkRelievoStageDescription& description)
   description.AddPair(
     "range", this->Range, [this](const double* range) { this->SetRange(range[0], range[1]); },
     "Values shown in the first and the last colour of a scalar layer. 0 and 0 show the range of "
-    "all "
-    "visible values, for depth and range without those of a ground far wider than the rest; "
+    "all visible values, for depth and range without those of a ground far wider than the rest; "
     "several ranks show depth and range from the near to the far plane.");
   vtkRelievoParameter& colormap = description.AddChoice(
     "colormap", this->Colormap, [this](int map) { this->SetColormap(map); },
