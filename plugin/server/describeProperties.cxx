@@ -13,8 +13,9 @@
 // those that can be shown as the picture. Within other lines, @layers: help@ is replaced by a
 // description of the layers, @layers: count@ by the number of values in a selection of layers, and
 // @layers: A B@ by the values of a selection of A and B, A first; @images@ and @models@ by the
-// extensions of their files. Inputs, files, lists, dates, and switches of the view that nothing
-// else has are written in the templates.
+// extensions of their files. The templates themselves have inputs, files, switches that only the
+// view has, and values of types that no description has: lists, boxes, dates, two whole numbers,
+// 64-bit numbers, and choices that are not numbered from 0.
 #include "vtkNew.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkPVRelievoVisibility.h"
