@@ -23,9 +23,13 @@ function (relievo_add_stages module)
 endfunction ()
 
 # The folders of a module's files: on the include path of the module and, in this build, of targets
-# that link it. Installed headers are in one folder.
+# that link it, or, after PRIVATE, of the module alone. Installed headers are in one folder.
 function (relievo_module_folders module)
-  foreach (folder IN LISTS ARGN)
+  cmake_parse_arguments(PARSE_ARGV 1 folders "" "" "PRIVATE")
+  foreach (folder IN LISTS folders_UNPARSED_ARGUMENTS)
     vtk_module_include("${module}" PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")
+  endforeach ()
+  foreach (folder IN LISTS folders_PRIVATE)
+    vtk_module_include("${module}" PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/${folder}")
   endforeach ()
 endfunction ()

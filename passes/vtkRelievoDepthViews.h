@@ -9,9 +9,9 @@
  * renderer has its own camera and viewport afterwards, the window its tile, if it draws in tiles.
  *
  * Output: vtkMultiBlockDataSet of a vtkImageData per side, as vtkRelievoLayerSource makes them: the
- * float point array `depth`, +infinity where nothing is, and the field data of captures. The blocks
- * are named after the direction of looking: +x is seen from below. They are what input 1 of
- * vtkRelievoVoxelShell takes.
+ * float point array `depth`, +infinity in the background, and the field data of captures. Blocks
+ * are named after the direction of looking: +x is seen from below. They are for input 1 of
+ * vtkRelievoVoxelShell.
  *
  * Texels are squares around the middle of the box. A view has at most as many as the window has
  * pixels each way: its texels are larger then.
@@ -57,7 +57,7 @@ public:
   ///@{
   /**
    * The box that the views show: x, y and z, each from and to. While a pair is not in order, as by
-   * default (1, -1, ...), it is that of all visible props. What is before and behind it is seen.
+   * default (1, -1, ...), it is that of all visible props. Surfaces outside it are seen too.
    */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);

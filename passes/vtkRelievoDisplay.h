@@ -22,9 +22,9 @@ public:
   vtkTypeMacro(vtkRelievoDisplay, vtkObject);
 
   /**
-   * Connects to the display on which the window will open, before VTK does. Returns what is wrong,
-   * in words; empty if nothing is, and for windows that need no display. A window of OSMesa, which
-   * VTK 9.4 and later take where nothing else opens, needs that library. The connection stays open
+   * Connects to the display on which the window will open, before VTK does. Returns an error in
+   * words, or "" if there is none or the window needs no display. A window of OSMesa, which VTK 9.4
+   * and later use if no other kind opens, needs that library. The connection stays open
    * until the process ends: an X server without -noreset restarts when its last client leaves, and
    * does not answer meanwhile.
    */

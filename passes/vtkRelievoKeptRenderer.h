@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What drawing for a sensor changes of a renderer and its window, as it was. Lights that follow the
-// camera stay where they are for the sensor's pose: six views must be lit alike. Texts and bars,
-// and what else is in the window, are hidden.
+// The state of a renderer and its window that drawing for a sensor changes, restored afterwards.
+// Lights that follow the camera stay in place for the sensor's pose: six views must be lit alike.
+// Texts, bars and the window's other renderers are hidden.
 #ifndef vtkRelievoKeptRenderer_h
 #define vtkRelievoKeptRenderer_h
 

@@ -262,7 +262,7 @@ int vtkRelievoLayerSource::RequestData(
   pass->WaitForSamplesOn();
   const bool drawn = this->Draw(pass, color);
   pass->SetWaitForSamples(waits);
-  color = color && !(toned && tone->GetReasonCode() == "ran"); // the colour is what it was before
+  color = color && !(toned && tone->GetReasonCode() == "ran"); // the colour before it
   std::vector<std::string> read = this->Layers;
   if (color)
   {

@@ -74,8 +74,8 @@ public:
   ///@}
 
   /**
-   * What GetErrorCode() is where a frame was drawn, but a layer cannot be read: nothing that is
-   * drawn has it, if no stage failed (vtkRelievoStage::GetReasonCode).
+   * The value of GetErrorCode() if a frame was drawn, but no drawn object has a requested layer,
+   * although no stage failed (vtkRelievoStage::GetReasonCode).
    */
   enum
   {
@@ -87,7 +87,7 @@ public:
 
   ///@{
   /**
-   * Adds to an image what does not come from the G-buffer, for a picture that has already been
+   * Adds to an image the parts that do not come from the G-buffer, for a picture that has been
    * drawn: the layer `color`, from the window's pixels, and the field data. For layers that were
    * read by vtkRelievoPass::ReadLayers.
    */

@@ -41,9 +41,9 @@ namespace
 constexpr const char* Color = "color";
 constexpr const char* Depth = "depth";
 constexpr const char* Shown = "picture";
-constexpr int MostTexels = 1024; // of what is behind a view each way
+constexpr int MostTexels = 1024; // of a view's background each way
 constexpr vtkIdType Grain = 4096;
-constexpr unsigned char Unseen = 2; // beside 0 for what is behind, 1 for what is drawn
+constexpr unsigned char Unseen = 2; // beside 0 for the background, 1 for drawn pixels
 
 // One exposure for all views, in place of one that each would measure.
 class KeptExposure
@@ -75,7 +75,7 @@ private:
   double Stops;
 };
 
-// What was drawn of the renderer's view.
+// The drawn part of the renderer's view.
 struct Drawn
 {
   vtkSmartPointer<vtkFloatArray> Color; // 4 floats a pixel; null, after an error: nothing was
@@ -178,7 +178,7 @@ vtkIdType GetNearest(const int size[2], const double place[2])
   return (size[1] - 1 - row) * size[0] + column;
 }
 
-// By which automatic exposure multiplies: the log-average of what is drawn, or of all.
+// The factor of automatic exposure: by the log-average of the drawn pixels, or of all.
 double GetExposure(vtkFloatArray* color, const std::vector<unsigned char>& drawn)
 {
   double sums[2] = { 0.0, 0.0 };
@@ -258,7 +258,7 @@ int vtkRelievoLensPicture::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-// What one camera of VTK sees as the sensor does. True if it was drawn; false, without an error, if
+// Draws with the camera of VTK that sees exactly the sensor's picture. False, without an error, if
 // there is no such camera.
 bool vtkRelievoLensPicture::DrawWhole(vtkFloatArray* color, bool isPicture)
 {
@@ -360,7 +360,7 @@ bool vtkRelievoLensPicture::DrawViews(vtkFloatArray* color, bool isPicture)
 }
 
 //------------------------------------------------------------------------------
-// A gradient goes over the sensor's picture: behind a view is what is behind its rays there.
+// A gradient spans the sensor's picture: a view gets the part that is behind its own rays.
 void vtkRelievoLensPicture::PutBehind(
   const vtkRelievoLensViews& views, const vtkRelievoLensView& view)
 {
@@ -413,7 +413,7 @@ void vtkRelievoLensPicture::PutBehind(
 }
 
 //------------------------------------------------------------------------------
-// Whether automatic exposure looks at what is drawn.
+// Whether automatic exposure measures only the drawn pixels.
 bool vtkRelievoLensPicture::IsMetered()
 {
   vtkRelievoToneStage* tone = GetTone(this->Renderer);

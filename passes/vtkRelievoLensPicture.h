@@ -4,9 +4,9 @@
  * @class vtkRelievoLensPicture
  * @brief The colour that a lens or a panorama sees, of a renderer's scene.
  *
- * OpenGL draws what a pinhole sees. The frame is drawn in a pinhole around all rays of the sensor,
- * or, if these are wider than 50 degrees from the axis, in the faces of a cube that they meet; all
- * that the frame makes is in it: light, shadows, environments, stages. Each pixel of the sensor
+ * OpenGL draws the picture of a pinhole. The frame is drawn in a pinhole around all rays of the
+ * sensor, or, if these are wider than 50 degrees from the axis, in the faces of a cube that they
+ * hit, with everything a frame has: light, shadows, environments, stages. Each pixel of the sensor
  * takes the colour, in linear light, where its ray passes, between the four nearest pixels of that
  * picture. These are no wider than a pixel of the sensor, or than half the longer side of a pixel
  * that is long and thin, as those near the poles of a panorama. Pinholes without distortion and
@@ -14,7 +14,7 @@
  *
  * Lights that follow the camera shine as for a camera with the sensor's pose. Clipping planes are
  * fitted to the scene. Texts and bars are left out. A gradient behind the scene spans the sensor's
- * picture, and what sees nothing, beside a fisheye's circle, is black, with alpha 0.
+ * picture; pixels without a ray, beside a fisheye's circle, are black, with alpha 0.
  *
  * Output: vtkImageData of the sensor's columns and rows, row 0 at the bottom, with the point arrays
  * - color: 4 floats, linear light and alpha, as vtkRelievoLayerSource has it: of pictures for
@@ -35,7 +35,7 @@
 
 #include "vtkImageAlgorithm.h"
 #include "vtkRelievoPassesModule.h" // for the export macro
-#include "vtkSmartPointer.h"        // for what is given
+#include "vtkSmartPointer.h"        // for the inputs
 
 #include <vector> // for marks
 
@@ -116,7 +116,7 @@ private:
 
   // While it draws.
   bool Gradient = false;
-  std::vector<unsigned char> Marks; // of each pixel: 0 what is behind, 1 drawn, 2 unseen
+  std::vector<unsigned char> Marks; // of each pixel: 0 the background, 1 drawn, 2 unseen
 };
 
 #endif

@@ -18,7 +18,7 @@ namespace
 {
 constexpr unsigned char NoFace = relievo::CubeFaces;
 constexpr double WidestSlope = 1.2;    // of a ray in a single view: 50 degrees
-constexpr int Margin = 2;              // pixels around a view, for what is between pixels
+constexpr int Margin = 2;              // pixels around a view, to interpolate between pixels
 constexpr int MostPixels = 8192;       // of a view each way, which every OpenGL can draw
 constexpr double MostInAll = 1 << 18;  // of a face each way
 constexpr int Probes = 256;            // each way, of the sides of pixels
@@ -72,7 +72,7 @@ bool vtkRelievoLensViews::IsWithinOne() const
 }
 
 //------------------------------------------------------------------------------
-// Of all pixels. A single face takes rays that are steeper than those of a cube's.
+// Finds the face of each pixel. A single face takes steeper rays than the faces of a cube.
 void vtkRelievoLensViews::FindFaces(bool single)
 {
   const int columns = this->Sensor->GetSize()[0];
@@ -220,9 +220,8 @@ std::string vtkRelievoLensViews::Plan(vtkRelievoCameraModel* sensor, double over
       if (!(pixels <= MostInAll))
       {
         std::ostringstream text;
-        text << "to draw what the lens sees would take " << pixels
-             << " pixels each way, expected at most " << MostInAll
-             << ": its pixels differ too much in size";
+        text << "the lens's picture would take " << pixels << " pixels each way, expected at most "
+             << MostInAll << ": its pixels differ too much in size";
         return text.str();
       }
       counts[i] = static_cast<int>(pixels);

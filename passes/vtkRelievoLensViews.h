@@ -27,7 +27,7 @@ class vtkRelievoLensViews
 public:
   using View = vtkRelievoLensView;
 
-  // Looks at all rays; what is wrong with them, in words, or "". The pixels of a view are no wider
+  // Plans the views for all rays; returns an error, or "". The pixels of a view are no wider
   // than a pixel of the sensor over `oversampling`.
   std::string Plan(vtkRelievoCameraModel* sensor, double oversampling);
 

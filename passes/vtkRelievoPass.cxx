@@ -90,7 +90,7 @@ Stage* FindToSet(vtkRelievoPass* frame, Stage* stage, const char* name)
   if (!stage)
   {
     vtkErrorWithObjectMacro(frame,
-      "The stage '" << name << "' of this frame is not Relievo's own, and keeps what it is set to; "
+      "The stage '" << name << "' of this frame is not Relievo's own, and keeps its settings; "
                     << "use its own methods, or SetParameter.");
   }
   return stage;

@@ -6,7 +6,7 @@
  *
  * A decorator (vtkRelievoFramePass): the delegate draws the picture exactly as without Relievo; the
  * stages add layers (depth, normals, ids ...) and effects. Only what is requested is rendered,
- * stored or looked up; the frame report says what ran, why, and what it cost.
+ * stored or looked up; the frame report lists the stages that ran, why, and their cost.
  *
  * Layers: those of vtkRelievoLayerCatalogue (depth, normal, position, cell ...; shadow_N of the
  * renderer's light N; color, the linear colour), and any point or cell array by name

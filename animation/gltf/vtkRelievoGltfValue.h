@@ -45,7 +45,7 @@ public:
   GltfValue At(std::size_t i) const;
 
   ///@{
-  /// What the value is, or else `otherwise` if it is not there. Anything else is an error, as is a
+  /// The value, or `otherwise` if it is not there. Anything else is an error, as is a
   /// number outside of the range.
   bool GetFlag(bool otherwise) const;
   double GetNumber(double otherwise) const;

@@ -23,7 +23,7 @@ bool IsFinite(const glm::dmat4& m)
   return finite;
 }
 
-// What FBX does to a mesh's points before all else (GeometricTranslation, -Rotation and -Scaling):
+// FBX's first transform of a mesh's points (GeometricTranslation, -Rotation and -Scaling):
 // Assimp makes nodes of it, parents of the mesh's.
 glm::dmat4 GetGeometric(const Model& model, int node)
 {

@@ -105,7 +105,7 @@ void VisitFields(Model& model, Visit&& visit)
   visit(nodes, meshes, weights, animations, materials, lights, cameras, images, notes);
 }
 
-/// Whether the nodes, meshes, materials, lights, cameras and tracks refer to what there is.
+/// Whether the nodes, meshes, materials, lights, cameras and tracks refer to existing ones.
 bool IsConsistent(const Model& model);
 }
 

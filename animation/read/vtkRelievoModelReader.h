@@ -20,7 +20,7 @@
  * lie on, with their transform, v upwards. Faces are turned where a node mirrors them, so that the
  * outside stays outside.
  *
- * Of glTF, GetProperty(), GetTexture() and Dress() have a block's material as VTK draws it, and
+ * For glTF, GetProperty(), GetTexture() and Dress() give a block's material as VTK draws it, and
  * GetLight() and GetCamera() the lights and cameras of the scene.
  *
  * Port 1 is the skeleton: a point for each node of the file's tree, with the point arrays `pose`,

@@ -540,7 +540,7 @@ int PixelCauses::GetNeighbourCause(std::size_t pixel, const std::vector<int>& ca
 
 //------------------------------------------------------------------------------
 // Explains other layers of volumes. Their places are where a march along the ray ends, which
-// rounding shifts within what the neighbours show.
+// rounding shifts within the neighbours' values.
 int PixelCauses::JudgeVolumes(std::size_t pixel)
 {
   const auto isBoth = [](const auto& a, const auto& b) { return !a.empty() && !b.empty(); };

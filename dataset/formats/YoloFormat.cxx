@@ -10,7 +10,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// Boxes of what is seen, as the detectors of Ultralytics read them.
+// Boxes of the visible objects, as the detectors of Ultralytics read them.
 class YoloFormat : public DatasetFormat
 {
 public:

@@ -110,6 +110,11 @@ vtkRelievoSmoothBlocks::vtkRelievoSmoothBlocks()
     .AddNumber("memory_limit", vtkRelievoMember(MemoryLimit), 0.0, infinity, "bytes",
       "Upper bound of the surface's memory; more is refused. 0: all free memory.")
     .Advanced = true;
+  vtkRelievoParameter& precision = list.AddChoice("output_points_precision",
+    vtkRelievoMember(OutputPointsPrecision), { "single", "double", "by_the_data" },
+    "Type of the coordinates. By the data: double for surfaces far from the origin, else single.");
+  precision.Label = "Points' Precision";
+  precision.Advanced = true;
 }
 
 //------------------------------------------------------------------------------

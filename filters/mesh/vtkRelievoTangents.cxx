@@ -124,6 +124,13 @@ TangentSpace FlatSpace(vtkPolyData* mesh, vtkDataArray* texture,
 vtkRelievoTangents::vtkRelievoTangents()
 {
   this->SetTangentsName("tangent");
+  this->Parameters
+    .AddText(
+      "tangents_name",
+      [this]() { return std::string(this->TangentsName ? this->TangentsName : ""); },
+      [this](const std::string& name) { this->SetTangentsName(name.c_str()); },
+      "Name of the array of tangents.")
+    .Advanced = true;
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::NORMALS);
   this->SetInputArrayToProcess(

@@ -46,7 +46,9 @@
 #define vtkRelievoTangents_h
 
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoTangents : public vtkPolyDataAlgorithm
 {
@@ -65,6 +67,9 @@ public:
   vtkGetMacro(NumberOfDegenerateTriangles, vtkIdType);
   vtkGetMacro(NumberOfAddedPoints, vtkIdType);
 
+  /** The parameter `tangents_name` by its name; see vtkRelievoTextureCoordinates. */
+  vtkRelievoParametersMacro();
+
 protected:
   vtkRelievoTangents();
   ~vtkRelievoTangents() override;
@@ -73,6 +78,7 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
+  vtkRelievoParameterList Parameters;
   char* TangentsName = nullptr;
   vtkIdType NumberOfDegenerateTriangles = 0;
   vtkIdType NumberOfAddedPoints = 0;

@@ -68,12 +68,13 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
+  bool Cloud = false;
+
 private:
   vtkRelievoVisibility(const vtkRelievoVisibility&) = delete;
   void operator=(const vtkRelievoVisibility&) = delete;
 
   std::vector<vtkSmartPointer<vtkRelievoCameraModel>> Cameras;
-  bool Cloud = false;
 };
 
 #endif

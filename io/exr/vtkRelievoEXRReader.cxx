@@ -20,6 +20,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <limits>
 
 vtkStandardNewMacro(vtkRelievoEXRReader);
 
@@ -90,6 +91,11 @@ vtkRelievoEXRReader::vtkRelievoEXRReader()
   : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(0);
+  vtkRelievoParameter& part = this->Parameters.AddWhole("part", vtkRelievoMember(Part), -1, 0, "",
+    "The part to read from a file with several parts, from 0; -1 reads all, which must then have "
+    "the same data window.");
+  part.Most = std::numeric_limits<double>::infinity();
+  part.Advanced = true;
 }
 
 //------------------------------------------------------------------------------

@@ -37,6 +37,8 @@
 #include "vtkRelievoIOModule.h" // for the export macro
 
 #include "vtkImageAlgorithm.h"
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 #include <memory> // for the internals
 #include <string> // for messages
@@ -105,6 +107,9 @@ public:
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
+  /** The parameter `part` by its name. */
+  vtkRelievoParametersMacro();
+
   /** Includes changes of the channel selection. */
   vtkMTimeType GetMTime() override;
 
@@ -125,6 +130,7 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
+  vtkRelievoParameterList Parameters;
   char* FileName = nullptr;
   int Part = -1;
   int NumberOfThreads = 0;

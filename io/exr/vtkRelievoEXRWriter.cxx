@@ -17,6 +17,10 @@
 
 #include <OpenEXR/Iex.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 vtkStandardNewMacro(vtkRelievoEXRWriter);
 
 using relievo::exr::Failure;
@@ -25,9 +29,8 @@ using relievo::exr::OutputStream;
 
 namespace
 {
-const char* const CompressionNames[] = { "none", "rle", "zips", "zip", "piz", "pxr24", "b44",
-  "b44a", "dwaa", "dwab" };
-const int NumberOfCompressions = 10;
+const std::vector<std::string> CompressionNames = { "none", "rle", "zips", "zip", "piz", "pxr24",
+  "b44", "b44a", "dwaa", "dwab" };
 const char* const PixelTypeNames[] = { "UINT", "HALF", "FLOAT" };
 }
 
@@ -59,6 +62,12 @@ vtkRelievoEXRWriter::vtkRelievoEXRWriter()
   : Internal(new Internals)
 {
   this->SetNumberOfOutputPorts(0);
+  this->Parameters
+    .AddChoice("compression", vtkRelievoMember(Compression), CompressionNames,
+      "How pixels are packed. None, RLE, ZIPS, ZIP and PIZ are lossless. PXR24 rounds floats to 24 "
+      "bits; B44 and B44A lose accuracy in half floats, DWAA and DWAB in channels named R, G, B "
+      "and Y.")
+    .ChoiceLabels = { "None", "RLE", "ZIPS", "ZIP", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB" };
 }
 
 //------------------------------------------------------------------------------
@@ -94,10 +103,11 @@ void vtkRelievoEXRWriter::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkRelievoEXRWriter::SetCompression(int compression)
 {
-  if (compression < 0 || compression >= NumberOfCompressions)
+  const int count = static_cast<int>(CompressionNames.size());
+  if (compression < 0 || compression >= count)
   {
     vtkErrorMacro("SetCompression: " << compression << " is none of the compressions 0 (none) to "
-                                     << NumberOfCompressions - 1 << " (dwab).");
+                                     << count - 1 << " (dwab).");
   }
   else if (compression != this->Compression)
   {
@@ -109,13 +119,11 @@ void vtkRelievoEXRWriter::SetCompression(int compression)
 //------------------------------------------------------------------------------
 bool vtkRelievoEXRWriter::SetCompressionByName(const char* name)
 {
-  for (int i = 0; i < NumberOfCompressions; ++i)
+  const auto found = std::find(CompressionNames.begin(), CompressionNames.end(), name ? name : "");
+  if (found != CompressionNames.end())
   {
-    if (name && std::string(name) == CompressionNames[i])
-    {
-      this->SetCompression(i);
-      return true;
-    }
+    this->SetCompression(static_cast<int>(found - CompressionNames.begin()));
+    return true;
   }
   vtkErrorMacro("SetCompressionByName: '"
     << (name ? name : "")
@@ -126,7 +134,7 @@ bool vtkRelievoEXRWriter::SetCompressionByName(const char* name)
 //------------------------------------------------------------------------------
 const char* vtkRelievoEXRWriter::GetCompressionName()
 {
-  return CompressionNames[this->Compression];
+  return CompressionNames[this->Compression].c_str();
 }
 
 //------------------------------------------------------------------------------

@@ -40,6 +40,8 @@
 #include "vtkRelievoIOModule.h" // for the export macro
 
 #include "vtkImageAlgorithm.h"
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 #include <memory> // for the internals
 
@@ -141,6 +143,9 @@ public:
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
+  /** The parameter `compression` by its name. */
+  vtkRelievoParametersMacro();
+
   /** Writes the file. Returns 1, or 0 after an error or an abort. */
   virtual int Write();
 
@@ -174,6 +179,7 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
+  vtkRelievoParameterList Parameters;
   char* FileName = nullptr;
   int Compression = ZIP;
   double DWALevel = 45;

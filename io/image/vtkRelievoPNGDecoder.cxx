@@ -76,7 +76,7 @@ bool Begin(PNGReader* reader)
   constexpr auto most = static_cast<png_uint_32>(vtkRelievoImageFile::MostTexels);
   png_set_user_limits(library, most, most);
   png_set_crc_action(library, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
-  // Of the chunks that are not needed only transparency is read: neither gamma nor profiles apply.
+  // The only optional chunk that is read is transparency: neither gamma nor profiles apply.
   png_set_keep_unknown_chunks(library, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
   png_read_info(library, reader->Info);
   reader->RowBytes = png_get_rowbytes(library, reader->Info);

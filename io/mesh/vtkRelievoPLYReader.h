@@ -4,7 +4,7 @@
  * @class vtkRelievoPLYReader
  * @brief Reads meshes in the Polygon File Format (.ply), as text or binary, into one vtkPolyData.
  *
- * Of the element `vertex` come the points, in the precision of `x`, and, where the file has them,
+ * The element `vertex` supplies the points, in the precision of `x`, and, if the file has them,
  * - the point array `Normals` (float, 3) of `nx ny nz`;
  * - `RGBA` (unsigned char, 4) of `red green blue` and `alpha` (opaque without it), also with
  *   `diffuse_` before the names: bytes as they are, other whole numbers as shares of the highest
@@ -14,8 +14,8 @@
  * - every other number, as a point array of its name and type.
  * These are the active normals, scalars and texture coordinates.
  *
- * Of the element `face` come the polygons (`vertex_indices` or `vertex_index`); faces of two points
- * are lines, of one point vertices. Colours and other numbers of faces are cell arrays, alike. With
+ * The element `face` supplies the polygons (`vertex_indices` or `vertex_index`); faces of two
+ * points are lines, of one point vertices. Colours and other numbers of faces are cell arrays. With
  * a list `texcoord`, two numbers for each corner, points at which it differs are split: the first
  * use has the point's number and the others get points at the end. Without faces, the triangles of
  * the element `tristrips` are read, else lines of `edge` (`vertex1`, `vertex2`). Other elements are

@@ -27,10 +27,10 @@ struct PrintChoice
   double Width = 0.0; ///< millimetres; 0: no figure, sizes follow the picture's
   double DPI = 0.0;
 
-  /// Of the font, pixels, for 8 points; 0: by the picture's size.
+  /// Pixels of the font, for 8 points; 0: by the picture's size.
   double GetTextSize() const { return 8.0 / 72.0 * this->DPI; }
 
-  /// Of lines, pixels, for half a point; 0: by the picture's size.
+  /// Pixels of a line's width, for half a point; 0: by the picture's size.
   double GetLineWidth() const { return 0.5 / 72.0 * this->DPI; }
 };
 }

@@ -88,7 +88,7 @@ vtkPolyData* GetDisc(vtkActor* ground)
   return vtkPolyData::SafeDownCast(ground->GetMapper()->GetInputDataObject(0, 0));
 }
 
-// Of the colour, for each point.
+// The factor of the colour at each point.
 vtkFloatArray* GetShades(vtkActor* ground)
 {
   return vtkFloatArray::SafeDownCast(GetDisc(ground)->GetPointData()->GetArray("shade"));

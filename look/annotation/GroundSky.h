@@ -21,7 +21,7 @@ namespace look
 class GroundSky
 {
 public:
-  /// Of the renderer's opaque actors, within these bounds. `upAxis`: 0, 1, 2 for x, y, z; `height`:
+  /// For the renderer's opaque actors within these bounds. `upAxis`: 0, 1, 2 for x, y, z; `height`:
   /// the ground's coordinate on it.
   GroundSky(vtkRenderer* renderer, const double bounds[6], int upAxis, double height);
 

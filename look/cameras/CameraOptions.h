@@ -40,7 +40,7 @@ constexpr double StandardViewAngle = 30.0; ///< VTK's, degrees
 /// axis that points up.
 void PlaceCamera(vtkRenderer* renderer, const CameraChoice& choice, int up, const double bounds[6]);
 
-/// What a place must have that it lacks, as the end of an error message; "" if it is a view.
+/// The requirement that a place misses, as the end of an error message; "" if it is a view.
 std::string CheckPlace(const CameraPlace& place);
 
 /// The pose of a camera.

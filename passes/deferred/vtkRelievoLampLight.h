@@ -19,8 +19,8 @@
 class vtkRelievoLampLight
 {
 public:
-  // What the light is summed in: floats instead of halves, no sums if Add() adds the light to the
-  // colour, and counts of lamps only if they are requested.
+  // The buffers that sum the light: floats instead of halves, no sums if Add() adds the light to
+  // the colour, and counts of lamps only if they are requested.
   struct Buffers
   {
     bool Floats = false;

@@ -99,8 +99,8 @@ std::string vtkRelievoFrameReader::Amend(const std::vector<std::string>& names, 
     if (found != this->Amenders.end() && !found->second)
     {
       return "The layer '" + name +
-        "' cannot be read: the last frame was not asked for what another stage amends in it; ask "
-        "for it (RequestLayer) and render before.";
+        "' cannot be read: another stage amends it, and does so only in frames that are asked for "
+        "it; call RequestLayer and render before.";
     }
     if (found != this->Amenders.end())
     {

@@ -54,7 +54,9 @@ void vtkRelievoGBufferTextures::ActivateParts(vtkShaderProgram* program)
     texels.resize(std::max<std::size_t>(texels.size(), 4));
     if (!this->Parts.Upload(this->Window, texels, 4).empty())
     {
-      this->NumberOfParts = 0; // too many for a list: all parts count as one
+      // Too many for a list: all parts count as one. Without a texture OpenGL reports an error.
+      this->NumberOfParts = 1;
+      this->Parts.Upload(this->Window, std::vector<float>(4), 4);
     }
   }
   this->Parts.Activate(program, "relievoParts");

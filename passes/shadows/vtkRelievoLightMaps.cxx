@@ -19,7 +19,7 @@
 
 namespace
 {
-// Of the time of a frame, for the depths of volumes.
+// Share of a frame's time that the depths of volumes may take.
 constexpr double VolumesShare = 0.5;
 }
 

@@ -36,7 +36,7 @@ const int NodeCounts[] = { 32, 64, 128, 256, 512, 1024 };
 constexpr double Margin = 1.2;
 constexpr int FewestPlaces = 256; // of an estimate
 constexpr int MostPlaces = 4096;
-// Of a node on common machines, until one was made.
+// Time of a node on common machines, until a grid has been timed.
 constexpr double UsualMilliseconds = 3e-5;
 
 int RoundUp(int size)
@@ -255,7 +255,7 @@ int vtkRelievoVolumeShade::ChooseNodes(
 }
 
 //------------------------------------------------------------------------------
-// Of the texture, which has room for the largest grid along each axis, for every light.
+// Bytes of the texture, which has room for the largest grid along each axis, for every light.
 double vtkRelievoVolumeShade::CountBytes(
   const std::vector<vtkRelievoOpticalDepths::Source>& sources, int most) const
 {

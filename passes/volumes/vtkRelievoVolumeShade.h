@@ -121,7 +121,7 @@ private:
   Estimates Shares;                       // expected, by the most nodes
   std::vector<std::uint64_t> SharesState; // of the fields that they were estimated for
   int Chosen = 0;                         // the most nodes, for the goals
-  std::vector<std::uint64_t> ChosenState; // what they were chosen for
+  std::vector<std::uint64_t> ChosenState; // the state for which they were chosen
   std::vector<vtkRelievoOpticalDepths::Source> ChosenSources;
   std::vector<std::uint64_t> State; // of the fields and the settings
   std::vector<vtkRelievoVolumeExtinction> Fields;

@@ -8,19 +8,23 @@
 // A comment on a line of its own in the template is replaced: `points` by the proxies of surfaces'
 // points for every stage of points; `stages: properties` by the properties of every stage with a
 // switch, and `stages: exposed` by their groups in the render view; likewise `shadows`, `sun`,
-// `environment`, `selection` and `material`, which have groups of their own; `caves: properties`
-// and the like by those of filters; `layers` by the names of layers; `layers: shown` by those that
-// can be shown as the picture. Within other lines, @layers: help@ is replaced by a description of
-// the layers, @layers: count@ by the number of values in a selection of layers, and @layers: A B@
-// by the values of a selection of A and B, A first; @images@ and @models@ by the extensions of
-// their files.
+// `display`, `environment`, `selection` and `material`, which have groups of their own; `caves:
+// properties` and the like by those of filters; `layers` by the names of layers; `layers: shown` by
+// those that can be shown as the picture. Within other lines, @layers: help@ is replaced by a
+// description of the layers, @layers: count@ by the number of values in a selection of layers, and
+// @layers: A B@ by the values of a selection of A and B, A first; @images@ and @models@ by the
+// extensions of their files. The templates themselves have inputs, files, switches that only the
+// view has, and values of types that no description has: lists, boxes, dates, two whole numbers,
+// 64-bit numbers, and choices that are not numbered from 0.
 #include "vtkNew.h"
 #include "vtkPVRelievoSun.h"
+#include "vtkPVRelievoVisibility.h"
 #include "vtkRelievoBoneWeights.h"
 #include "vtkRelievoCaves.h"
-#include "vtkRelievoColormaps.h"
 #include "vtkRelievoCover.h"
 #include "vtkRelievoDepthToPoints.h"
+#include "vtkRelievoEXRReader.h"
+#include "vtkRelievoEXRWriter.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoEnvironmentConvert.h"
 #include "vtkRelievoEnvironmentIrradiance.h"
@@ -39,6 +43,7 @@
 #include "vtkRelievoStage.h"
 #include "vtkRelievoSunExposure.h"
 #include "vtkRelievoSurfaceParticles.h"
+#include "vtkRelievoTangents.h"
 #include "vtkRelievoTextureCoordinates.h"
 #include "vtkRelievoVoxelCubes.h"
 #include "vtkRelievoVoxelShell.h"
@@ -112,11 +117,12 @@ std::string Documentation(const std::string& help)
 struct Described
 {
   const vtkRelievoParameterList& List;
-  std::string Command; // of the proxy's object; empty: the parameter's own method
-  std::string Owner;   // the command's argument before the parameter's name
-  std::string Prefix;  // of the properties' names in the proxy
-  std::string Exposed; // prefix of the exposed names for scripts
-  std::string Shown;   // the decorator that hides properties without effect
+  std::string Command;   // of the proxy's object; empty: the parameter's own method
+  std::string Owner;     // the command's argument before the parameter's name
+  std::string Prefix;    // of the properties' names in the proxy
+  std::string Exposed;   // prefix of the exposed names for scripts
+  std::string Shown;     // the decorator that hides properties without effect
+  bool Verbatim = false; // choices have their names
 
   std::string GetName(const std::string& parameter) const
   {
@@ -198,7 +204,7 @@ std::string MakeHints(
 }
 
 // The range of a control. The description may accept a wider one.
-std::string MakeDomain(const vtkRelievoParameter& parameter, bool ofFilter)
+std::string MakeDomain(const vtkRelievoParameter& parameter, const Described& described)
 {
   using P = vtkRelievoParameter;
   std::ostringstream out;
@@ -213,7 +219,10 @@ std::string MakeDomain(const vtkRelievoParameter& parameter, bool ofFilter)
     for (std::size_t i = 0; i < parameter.Choices.size(); ++i)
     {
       out << "          <Entry value=\"" << i << "\" text=\""
-          << Escape(WriteChoice(parameter.GetChoiceLabel(i), ofFilter)) << "\"/>\n";
+          << Escape(described.Verbatim
+                 ? parameter.Choices[i]
+                 : WriteChoice(parameter.GetChoiceLabel(i), described.Command.empty()))
+          << "\"/>\n";
     }
     out << "        </EnumerationDomain>\n";
   }
@@ -273,7 +282,7 @@ std::string MakeProperty(const Described& described, const vtkRelievoParameter& 
       << (text || own ? "" : " si_class=\"vtkSI" + kind + "VectorProperty\"")
       << (parameter.Type == P::COLOR ? " panel_widget=\"color_selector\"" : "")
       << (parameter.Advanced ? " panel_visibility=\"advanced\"" : "") << ">\n"
-      << MakeDomain(parameter, own)
+      << MakeDomain(parameter, described)
       << Documentation(parameter.Help + (text ? "" : " Takes " + ofAll.GetExpected() + ".") +
            (parameter.PerPoint ? " For points without the array." : ""))
       << (own && parameter.OnlyIf.empty() ? "" : MakeHints(described, parameter, false))
@@ -417,18 +426,6 @@ std::string MakeLayers(bool withPicture)
   return out;
 }
 
-std::string MakeColormaps()
-{
-  std::string out;
-  int value = 0;
-  for (const std::string& name : vtkRelievoColormaps::GetNames())
-  {
-    out += "          <Entry text=\"" + Escape(name) + "\" value=\"" + std::to_string(value++) +
-      "\"/>\n";
-  }
-  return out;
-}
-
 std::string MakeLayersHelp()
 {
   std::string out;
@@ -492,12 +489,12 @@ std::string FillIn(const std::string& line)
 std::map<std::string, std::string> MakeAll()
 {
   std::map<std::string, std::string> made = { { "layers", MakeLayers(true) },
-    { "layers: shown", MakeLayers(false) }, { "colour maps", MakeColormaps() } };
+    { "layers: shown", MakeLayers(false) } };
   vtkNew<vtkRelievoPass> frame;
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
     const vtkRelievoStageDescription& stage = frame->GetStage(i)->GetDescription();
-    // Of the stages that are always on, those with data, and volumes, whose rule users choose.
+    // Stages that are always on have a group only for data, or for the rule of volumes.
     const bool isSwitched = !stage.OnByDefault || stage.TakesData || stage.Name == "volumes";
     if (isSwitched && frame->GetStage(i) != frame->GetShadowStage())
     {
@@ -530,6 +527,15 @@ std::map<std::string, std::string> MakeAll()
   add("shadows",
     { frame->GetShadowStage()->GetDescription(), "SetStage", "shadows:", "Shadow", "Relievo",
       Decorate("RelievoShadows", "1", false) });
+  vtkRelievoParameterList ofLayer = frame->GetStage("display")->GetDescription();
+  ofLayer.Parameters.erase(ofLayer.Parameters.begin()); // the layer, a list
+  for (vtkRelievoParameter& parameter : ofLayer.Parameters)
+  {
+    parameter.Advanced = true;
+  }
+  add("display",
+    { ofLayer, "SetStage", "display:", "Display", "Relievo",
+      Decorate("RelievoDisplayLayer", "None", true), true });
   vtkNew<vtkRelievoEnvironment> environment;
   environment->SetUpAxis(2); // as in vtkPVRelievoView
   environment->GammaCorrectOn();
@@ -546,6 +552,8 @@ std::map<std::string, std::string> MakeAll()
   addFilter("bone weights", vtkNew<vtkRelievoBoneWeights>());
   addFilter("caves", vtkNew<vtkRelievoCaves>());
   addFilter("depth to points", vtkNew<vtkRelievoDepthToPoints>());
+  addFilter("exr reader", vtkNew<vtkRelievoEXRReader>());
+  addFilter("exr writer", vtkNew<vtkRelievoEXRWriter>());
   addFilter("environment convert", vtkNew<vtkRelievoEnvironmentConvert>());
   addFilter("environment irradiance", vtkNew<vtkRelievoEnvironmentIrradiance>());
   addFilter("environment prefilter", vtkNew<vtkRelievoEnvironmentPrefilter>());
@@ -553,7 +561,9 @@ std::map<std::string, std::string> MakeAll()
   addFilter("model reader", vtkNew<vtkRelievoModelReader>());
   addFilter("skin", vtkNew<vtkRelievoSkin>());
   addFilter("smooth blocks", vtkNew<vtkRelievoSmoothBlocks>());
+  addFilter("tangents", vtkNew<vtkRelievoTangents>());
   addFilter("texture coordinates", vtkNew<vtkRelievoTextureCoordinates>());
+  addFilter("visibility", vtkNew<vtkPVRelievoVisibility>());
   addFilter("voxel cubes", vtkNew<vtkRelievoVoxelCubes>());
   addFilter("voxel shell", vtkNew<vtkRelievoVoxelShell>());
   vtkNew<vtkRelievoSurfaceParticles> particles;

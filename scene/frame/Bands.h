@@ -27,7 +27,7 @@ int ChooseBandRows(const RenderOptions& options, int wanted);
 class Bands
 {
 public:
-  /// Of a picture; 0 rows: one band for all of it.
+  /// Divides a picture; 0 rows: a single band.
   Bands(const std::array<int, 2>& size, int rows);
 
   int GetCount() const { return this->Count; }

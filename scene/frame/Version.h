@@ -19,7 +19,7 @@ namespace scene
 /// reason.
 std::string DescribeVersions();
 
-/// What has drawn a window, a line each: Relievo, VTK, and OpenGL's renderer and version.
+/// The versions that draw a window, a line each: Relievo, VTK, and OpenGL's renderer.
 std::vector<std::string> ListVersions(vtkRenderWindow* window);
 }
 

@@ -22,6 +22,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRelievoCompositeMapper.h>
+#include <vtkRelievoTextureBuffer.h>
 #include <vtkSphereSource.h>
 
 #include <glm/glm.hpp>
@@ -424,6 +425,11 @@ void TestParts()
     vtkNew<vtkRelievoCompositeMapper> mapper;
     mapper->SetInputDataObject(blocks);
     scene.Add(mapper);
+    // More parts than OpenGL's list can hold count as one.
+    const relievoTest::GLCheck gl(scene.Window);
+    vtkRelievoTextureBuffer::SetMostTexels(1);
+    RELIEVO_CHECK_NEAR(between(scene), 0.0, 1e-9, "between too many blocks");
+    vtkRelievoTextureBuffer::SetMostTexels(0);
     RELIEVO_CHECK_NEAR(between(scene), 1.0, 0.02, "between blocks");
   }
   {

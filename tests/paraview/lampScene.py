@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A floor and a ball under lamps. As a script: lampScene.py FOLDER NAMES [PORT]."""
+"""A floor and a ball under lamps. As a script: lampScene.py FOLDER NAMES PORT."""
 
 import sys
 
@@ -84,12 +84,11 @@ def light(place, normal, places=PLACES, radii=RADII):
     return total
 
 
-def draw_ranks(folder, names, port=None):
-    """Pictures by all ranks or by a server, and of the name `client` by its client: without and
-    with lamps, hidden, fog, and markers. One process draws for all names, `server,client`."""
-    if port:
-        simple.Connect("localhost", int(port))
-        pv.load(remote=True)
+def draw_remotely(folder, names, port):
+    """Pictures by a server, and of the name `client` by its client. One process draws for all
+    names, `server,client`."""
+    simple.Connect("localhost", int(port))
+    pv.load(remote=True)
     pv.load()
     scene = Scene()
     for name in names.split(","):
@@ -98,6 +97,7 @@ def draw_ranks(folder, names, port=None):
 
 
 def draw_steps(scene, folder, name):
+    """Pictures without and with lamps, hidden, fog, and markers."""
     for step, lamps, fog, markers, visible in (
             ("off", 0, 0, 0, 1), ("on", 1, 0, 0, 1), ("far", 1, 0, 0, 1), ("cast", 1, 0, 0, 1),
             ("hidden", 1, 1, 1, 0), ("fog", 0, 1, 0, 1), ("markers", 0, 0, 1, 1)):  # fmt: skip
@@ -119,5 +119,5 @@ if __name__ == "__main__":
         pv.restore(*sys.argv[2:])
         pv.leave()
     else:
-        draw_ranks(*sys.argv[1:])
-        pv.clear()  # no sys.exit() here: the other ranks would not hear of it
+        draw_remotely(*sys.argv[1:])
+        pv.clear()  # no sys.exit() here: the server would not hear of it

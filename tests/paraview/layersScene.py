@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Layers of a scene whose parts lie on the processes there are:
 
-    layersScene.py FOLDER NAME [PORT server|client...]
+    layersScene.py FOLDER NAME PORT server|client...
 
-With a port the scene is a pvserver's, drawn by it or by this client; without, this process's.
-Writes FOLDER/NAME.npz, with a server NAME-server.npz and NAME-client.npz: the layers,
-those of an exported and of a saved file, the number of points made of them.
+The scene is a pvserver's, drawn by it or by this client. Writes FOLDER/NAME-server.npz and
+FOLDER/NAME-client.npz: the layers, those of an exported and of a saved file, the number of points
+made of them.
 """
 
 import sys
@@ -16,7 +16,6 @@ import numpy
 import pv
 from paraview import simple
 
-FOLDER, NAME, *SERVER = sys.argv[1:]
 NAMES = (
     "depth range normal geometric_normal position albedo actor block cell color RTData".split()
 )
@@ -40,17 +39,17 @@ def scene():
     return view
 
 
-def keep(view, name):
+def keep(view, folder, name):
     """Grabs the view's layers by all methods and writes the results."""
     source = simple.RelievoLayers(View=view, Layers=NAMES)
     found = layers.arrays(source)
     points = simple.DepthToPoints(Input=source)
     points.UpdatePipeline()
     found["points"] = points.GetDataInformation().GetNumberOfPoints()
-    path = f"{FOLDER}/{name}-saved.exr"
+    path = f"{folder}/{name}-saved.exr"
     simple.SaveData(path, source)
     found["saved"] = layers.arrays(simple.OpenDataFile(path))["depth"]
-    path = f"{FOLDER}/{name}-exported.exr"
+    path = f"{folder}/{name}-exported.exr"
     simple.ExportView(path, view=view)
     exported = layers.arrays(simple.OpenDataFile(path))
     found["exported"], found["picture"] = exported["depth"], exported["color"]
@@ -71,22 +70,22 @@ def keep(view, name):
     source.FollowView = 1
     simple.Render(view)
     found["followed"] = layers.arrays(source)["depth"]
-    numpy.savez(f"{FOLDER}/{name}.npz", **found)
+    numpy.savez(f"{folder}/{name}.npz", **found)
 
 
-if SERVER:
-    simple.Connect("localhost", int(SERVER[0]))
+def keep_remotely(folder, name, port, *places):
+    simple.Connect("localhost", int(port))
     pv.load()
     pv.load(remote=True)
-    for where in SERVER[1:]:
+    for where in places:
         there = scene()
         there.RemoteRenderThreshold = 0.0 if where == "server" else 1e9
-        keep(there, f"{NAME}-{where}")
+        keep(there, folder, f"{name}-{where}")
         drawn = there.SMProxy.GetClientSideObject().GetUseDistributedRenderingForRender()
         assert bool(drawn) == (where == "server"), where
         pv.clear()
-else:
-    pv.load()
-    keep(scene(), NAME)
-pv.clear()
-print("kept", NAME)
+
+
+if __name__ == "__main__":
+    keep_remotely(*sys.argv[1:])
+    print("kept", sys.argv[2])

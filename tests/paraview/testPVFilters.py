@@ -10,7 +10,7 @@ import numpy
 import pv
 from materialScene import AXES
 from paraview import servermanager, simple
-from relievo import vtkRelievoAnimation, vtkRelievoFilters
+from relievo import vtkRelievoAnimation, vtkRelievoFilters, vtkRelievoIO
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # Label, and properties whose values are words.
@@ -33,7 +33,10 @@ FILTERS = {
     "Cover": [],
     "Visibility": [],
 }
-SOURCES = ["Caves", "ModelReader"]
+GROUPS = {
+    "Caves": "sources", "ModelReader": "sources", "EXRReaderCore": "internal_sources",
+    "EXRWriter": "writers", "EXRExporter": "exporters",
+}  # fmt: skip
 # Properties whose defaults are ParaView's own.
 OWN = {"SurfaceParticles.NoiseSpeed": [-1.0], "SunExposure.UpAxis": [2.0]}
 
@@ -55,8 +58,7 @@ class Filters(pv.PluginTest):
         """All are in Filters > Relievo; each property has a text, words where numbers mean some."""
         manager = servermanager.ProxyManager()
         for name, worded in FILTERS.items():
-            group = "sources" if name in SOURCES else "filters"
-            made = manager.GetPrototypeProxy(group, f"Relievo{name}")
+            made = manager.GetPrototypeProxy(GROUPS.get(name, "filters"), f"Relievo{name}")
             menu = made.GetHints().FindNestedElementByName("ShowInMenu")
             self.assertEqual(menu.GetAttribute("category"), "Relievo", name)
             self.assertEqual(made.GetXMLLabel().replace(" ", ""), name)
@@ -76,11 +78,10 @@ class Filters(pv.PluginTest):
         """Properties have the names, texts and defaults of the described classes."""
         manager = servermanager.ProxyManager()
         compared = 0
-        for name in [*FILTERS, "DepthToPoints", "ModelReader"]:
-            group = "sources" if name in SOURCES else "filters"
-            made = manager.GetPrototypeProxy(group, f"Relievo{name}")
+        for name in [*FILTERS, "DepthToPoints", *GROUPS]:
+            made = manager.GetPrototypeProxy(GROUPS.get(name, "filters"), f"Relievo{name}")
             of_class = made.GetVTKClassName().replace("vtkPV", "vtk")  # some have a subclass
-            modules = [vtkRelievoFilters, vtkRelievoAnimation]
+            modules = [vtkRelievoFilters, vtkRelievoAnimation, vtkRelievoIO]
             owner = next(getattr(each, of_class) for each in modules if hasattr(each, of_class))()
             for i in range(getattr(owner, "GetNumberOfParameters", int)()):
                 parameter = owner.GetParameterName(i)

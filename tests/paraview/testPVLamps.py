@@ -141,13 +141,11 @@ class Lamps(lampScene.Test):
     def test_ranks(self):
         """Each rank of a server has some of the lamps and some of the floor; its client has all."""
 
-        def draw(names, *words, **how):
-            said = pv.run(SCENE, pv.OUTPUT, names, *words, **how)
-            self.assertEqual(pv.messages(said), [], said)
-            return [{step: pv.read(pv.OUTPUT / f"{name}-{step}.png") for step in STEPS}
-                    for name in names.split(",")]  # fmt: skip
+        def read(name):
+            return {step: pv.read(pv.OUTPUT / f"{name}-{step}.png") for step in STEPS}
 
-        (alone,) = draw("alone")
+        lampScene.draw_steps(self.scene, pv.OUTPUT, "alone")
+        alone = read("alone")
         self.differ(alone["off"], alone["on"], "lamps", share=0.2)
         self.differ(alone["far"], alone["cast"], "shadows", share=0.02)
         self.same(alone["off"], alone["hidden"], "hidden")
@@ -163,9 +161,10 @@ class Lamps(lampScene.Test):
                 self.near(alone[step] * seen, pictures[step] * seen, f"{step} {where}", level=1)
 
         with pv.Server(launcher=pv.mpirun(2)) as server:
-            for where, pictures in zip(("server", "client"), draw("server,client", server.port)):
-                compare(pictures, f"by {where}", where == "server")
-            self.assertEqual(pv.messages(server.text()), [])
+            said = pv.run(SCENE, pv.OUTPUT, "server,client", server.port)
+            self.assertEqual(pv.messages(said + server.text()), [], said)
+            for where in ("server", "client"):
+                compare(read(where), f"by {where}", where == "server")
 
 
 if __name__ == "__main__":

@@ -113,7 +113,7 @@ void TestRays(double opacity, bool turned)
       for (const glm::dvec3& ray : { glm::dvec3(0., 1., 0.), lamp - over })
       {
         const double passed =
-          rays.Pass(over - ray - rays.GetCenter(), ray, 2., vtkRelievoCasterRays::Meeting(), 1e-6);
+          rays.Pass(over - ray - rays.GetCenter(), ray, 2., vtkRelievoCasterRays::Hit(), 1e-6);
         wrong += passed != 1. - opacity ? 1 : 0;
       }
     }

@@ -79,7 +79,7 @@ QPointF AxisMarker::GetEnd(int end) const
 }
 
 //------------------------------------------------------------------------------
-// Of overlapping ends, the nearer one.
+// The end at a place; the nearer one if two overlap.
 std::optional<int> AxisMarker::Find(const QPointF& at) const
 {
   std::optional<int> found;

@@ -34,7 +34,7 @@ std::optional<std::array<double, 2>> FindSeenRange(
 /// The range of the layer shown in the last picture; infinite or equal: none.
 std::array<double, 2> GetShownRange(const Picture& picture);
 
-/// Of the lights that cast shadows.
+/// Names of the lights that cast shadows.
 relievoQt::LightNames GetLightNames(const Picture& picture);
 }
 

@@ -43,7 +43,7 @@ constexpr int MostTicks = 11;
 using Color = vtkRelievoOverlayPen::Color;
 using Ticks = vtkRelievoAnnotation::Ticks;
 
-// Of values that the map's range leaves out.
+// A box beside the bar, for values outside the map's range.
 struct Box
 {
   double From; // along the bar

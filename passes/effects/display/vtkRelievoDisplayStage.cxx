@@ -94,13 +94,14 @@ void vtkRelievoDisplayStage::Describe(vtkRelievoStageDescription& description)
     "The layer to show; empty for the picture itself.");
   description.AddPair(
     "range", this->Range, [this](const double* range) { this->SetRange(range[0], range[1]); },
-    "Values shown in the first and the last colour of a scalar layer; 0/0 for the visible range, "
-    "without an endless ground.");
-  description
-    .AddChoice(
-      "colormap", this->Colormap, [this](int map) { this->SetColormap(map); },
-      vtkRelievoColormaps::GetNames(), "Colour map of scalar layers.")
-    .OnlyIf = "grey=off";
+    "Values shown in the first and the last colour of a scalar layer. 0 and 0 show the range of "
+    "all visible values, for depth and range without those of a ground far wider than the rest; "
+    "several ranks show depth and range from the near to the far plane.");
+  vtkRelievoParameter& colormap = description.AddChoice(
+    "colormap", this->Colormap, [this](int map) { this->SetColormap(map); },
+    vtkRelievoColormaps::GetNames(), "Colour map of scalar layers.");
+  colormap.Label = "Colour Map";
+  colormap.OnlyIf = "grey=off";
   description
     .AddFlag(
       "reversed", this->Reversed, [this](bool on) { this->SetReversed(on); },

@@ -8,7 +8,7 @@
 namespace
 {
 using Piece = vtkRelievoDashes::Piece;
-using Meeting = vtkRelievoDashes::Meeting;
+using Joint = vtkRelievoDashes::Joint;
 
 constexpr double Straight = 0.5; // cosine of the largest turn within one line
 constexpr double Around = 16.0;  // pixels around the picture in which lines still count
@@ -18,9 +18,9 @@ class Chains
 {
 public:
   // Only entries at the pieces' end points are written and read.
-  Chains(const std::vector<Piece>& pieces, std::vector<Meeting>& meetings)
+  Chains(const std::vector<Piece>& pieces, std::vector<Joint>& joints)
     : Pieces(pieces)
-    , At(meetings)
+    , At(joints)
     , Done(pieces.size(), false)
   {
     for (const Piece& piece : pieces)
@@ -31,7 +31,7 @@ public:
     {
       for (const std::uint32_t point : pieces[i].Points)
       {
-        Meeting& here = this->At[point];
+        Joint& here = this->At[point];
         if (here.Count < 2)
         {
           here.First[here.Count] = static_cast<int>(i);
@@ -45,7 +45,7 @@ public:
   int FindNext(int piece, int end) const
   {
     const Piece& here = this->Pieces[static_cast<std::size_t>(piece)];
-    const Meeting& at = this->At[here.Points[end]];
+    const Joint& at = this->At[here.Points[end]];
     if (at.Count != 2)
     {
       return None;
@@ -81,7 +81,7 @@ public:
 
 private:
   const std::vector<Piece>& Pieces;
-  std::vector<Meeting>& At;
+  std::vector<Joint>& At;
   std::vector<bool> Done;
 };
 
@@ -116,8 +116,8 @@ void vtkRelievoDashes::Append(const std::vector<Piece>& pieces, std::uint32_t po
   {
     return;
   }
-  this->Meetings.resize(std::max<std::size_t>(this->Meetings.size(), points));
-  Chains chains(pieces, this->Meetings);
+  this->Joints.resize(std::max<std::size_t>(this->Joints.size(), points));
+  Chains chains(pieces, this->Joints);
   const auto append = [&](int first, int start) {
     const auto line = chains.Follow(first, start);
     double length = 0.0;

@@ -28,7 +28,7 @@ public:
   static constexpr double Share = 2.0 / 3.0; // share of a line covered by dashes
 
   // The pieces that meet at a point: their number, and the first two.
-  struct Meeting
+  struct Joint
   {
     int First[2];
     int Count = 0;
@@ -41,7 +41,7 @@ public:
     const glm::dvec2& size, std::vector<float>& texels);
 
 private:
-  std::vector<Meeting> Meetings; // by point; valid at points of the latest call's pieces
+  std::vector<Joint> Joints; // by point; valid at points of the latest call's pieces
 };
 
 #endif

@@ -69,7 +69,7 @@ std::string vtkRelievoColorTarget::Prepare(vtkRelievoFrameContext& context, bool
   {
     return renderer->GetErase()
       ? "the renderer keeps another renderer's depth (PreserveDepthBuffer)"
-      : "the renderer keeps what was drawn before (EraseOff)";
+      : "the renderer keeps the earlier picture (EraseOff)";
   }
   const std::string fault = this->Buffers.Allocate(
     context.Window, context.View.Viewport, single ? 0 : vtkRelievoBoundFramebuffer::GetSamples());

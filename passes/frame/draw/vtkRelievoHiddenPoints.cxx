@@ -307,7 +307,7 @@ private:
     return groups;
   }
 
-  // Of a group, by the corners of its box, if all are inside.
+  // The pixels that a group covers, by the corners of its box, if all are inside.
   Cover GetCover(const vtkRelievoPointGroups::Group& group) const
   {
     Place least{ this->Size.x, this->Size.y, 0.0, 0.0, 1.0, 0 };

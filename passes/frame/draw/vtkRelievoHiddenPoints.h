@@ -27,7 +27,7 @@ public:
 
   // During the lifetime of this object, drawing the prop with the renderer's camera into OpenGL's
   // viewport leaves out hidden points. `flat`: for a depth map, in which spheres are discs. Does
-  // nothing for other props or few points. `groups` keeps what does not depend on the camera.
+  // nothing for other props or few points. `groups` keeps data that do not depend on the camera.
   vtkRelievoHiddenPoints(
     vtkProp* prop, vtkRenderer* renderer, bool flat, vtkRelievoPointGroups& groups);
   ~vtkRelievoHiddenPoints();

@@ -71,7 +71,7 @@ struct Box
   glm::dvec3 High{ 0.0 };
 };
 
-// Of most points: a few far from all others must not make the curve's steps coarse.
+// The box of most points: a few far from all others must not make the curve's steps coarse.
 template <typename GetPoint>
 Box FindBox(const std::vector<Key>& keys, const GetPoint& getPoint)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a stage declares of its work in one frame, before the frame is planned.
+// A stage's declaration of its work in one frame, made before the frame is planned.
 #ifndef vtkRelievoDeclaration_h
 #define vtkRelievoDeclaration_h
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The formats of normals and depths, as shaders/codes.glsl numbers them. vtkRelievoLayersStage
-// gives users the same ones, and says what each costs and errs.
+// gives users the same ones, and states the cost and the error of each.
 #ifndef vtkRelievoWordFormats_h
 #define vtkRelievoWordFormats_h
 

@@ -19,10 +19,10 @@ void vtkRelievoCasterRays::SetSurfaces(const std::vector<vtkRelievoSurface>& sur
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoCasterRays::Meeting vtkRelievoCasterRays::Find(
+vtkRelievoCasterRays::Hit vtkRelievoCasterRays::Find(
   const glm::dvec3& from, const glm::dvec3& ray, double low, double high, double wanted) const
 {
-  Meeting found;
+  Hit found;
   this->Tree.Walk(from, ray, low, high, [&](int place, int triangle, double t) {
     const int surface = this->Tree.GetMesh(place);
     const vtkRelievoPlacedMesh& caster = this->Surfaces[surface].Caster;
@@ -50,7 +50,7 @@ vtkRelievoCasterRays::Meeting vtkRelievoCasterRays::Find(
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoCasterRays::Meeting vtkRelievoCasterRays::FindFirst(
+vtkRelievoCasterRays::Hit vtkRelievoCasterRays::FindFirst(
   const glm::dvec3& from, const glm::dvec3& ray, double low) const
 {
   return this->Find(from, ray, low, std::numeric_limits<double>::infinity(), low);
@@ -58,7 +58,7 @@ vtkRelievoCasterRays::Meeting vtkRelievoCasterRays::FindFirst(
 
 //------------------------------------------------------------------------------
 double vtkRelievoCasterRays::Pass(
-  const glm::dvec3& from, const glm::dvec3& ray, double last, const Meeting& own, double blur) const
+  const glm::dvec3& from, const glm::dvec3& ray, double last, const Hit& own, double blur) const
 {
   double passes = 1.0;
   this->Tree.Walk(from, ray, 0.0, last, [&](int place, int triangle, double) {

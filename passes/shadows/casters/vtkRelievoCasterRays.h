@@ -25,7 +25,7 @@ class vtkRelievoCasterRays
 {
 public:
   // A hit of a ray.
-  struct Meeting
+  struct Hit
   {
     int Surface = -1; // -1: no hit
     int Place = -1;   // glyph number, counted over all surfaces
@@ -41,17 +41,17 @@ public:
   long long GetNumberOfTriangles() const { return this->Tree.GetNumberOfTriangles(); }
 
   // The hit with a visible surface nearest to t = `wanted`, between two limits.
-  Meeting Find(
+  Hit Find(
     const glm::dvec3& from, const glm::dvec3& ray, double low, double high, double wanted) const;
 
   // The first such hit.
-  Meeting FindFirst(const glm::dvec3& from, const glm::dvec3& ray, double low) const;
+  Hit FindFirst(const glm::dvec3& from, const glm::dvec3& ray, double low) const;
 
   // The light's transmittance from t = 0 to `last`: the product over the casters between;
   // translucent triangles that share an edge count once there. A triangle does not count if it is
   // `own`, or if the ray's start (or its end, if it has one) lies in its plane within `blur`.
-  double Pass(const glm::dvec3& from, const glm::dvec3& ray, double last, const Meeting& own,
-    double blur) const;
+  double Pass(
+    const glm::dvec3& from, const glm::dvec3& ray, double last, const Hit& own, double blur) const;
 
 private:
   std::vector<vtkRelievoSurface> Surfaces;

@@ -234,7 +234,7 @@ vtkRelievoShadowCertifier::Findings vtkRelievoShadowCertifier::Judge(int x, int 
   const double wanted = this->CoarseDepth ? depth - window : depth;
   const vtkRelievoShadowPixels pixels(this->View, this->Rays.GetCenter());
   const vtkRelievoPixelRay eye = pixels.GetRay(x + 0.5, y + 0.5);
-  const vtkRelievoCasterRays::Meeting seen =
+  const vtkRelievoCasterRays::Hit seen =
     this->Rays.Find(eye.From, eye.Ray, depth - window, depth + window, wanted);
   const float drawn = this->Visibility[light][pixel];
   // On an outline OpenGL may draw a surface that the ray through the pixel's centre just misses.
@@ -306,10 +306,10 @@ bool vtkRelievoShadowCertifier::IsAlike(double a, double b) const
 // Whether a ray beside the pixel's centre hits another triangle with another verdict: OpenGL may
 // draw either.
 bool vtkRelievoShadowCertifier::HasOtherNeighbour(const vtkRelievoPixelRay& beside, int light,
-  double wanted, const vtkRelievoCasterRays::Meeting& seen, double truth) const
+  double wanted, const vtkRelievoCasterRays::Hit& seen, double truth) const
 {
   const double window = this->GetDepthWindow(wanted);
-  const vtkRelievoCasterRays::Meeting found =
+  const vtkRelievoCasterRays::Hit found =
     this->Rays.Find(beside.From, beside.Ray, wanted - window, wanted + window, wanted);
   if (found.Surface < 0 || (found.Place == seen.Place && found.Triangle == seen.Triangle))
   {

@@ -76,7 +76,7 @@ private:
   bool IsAlike(double a, double b) const; // compares verdicts
   void AddVolumes(const vtkRelievoShadowProps& props);
   bool HasOtherNeighbour(const vtkRelievoPixelRay& beside, int light, double wanted,
-    const vtkRelievoCasterRays::Meeting& seen, double truth) const;
+    const vtkRelievoCasterRays::Hit& seen, double truth) const;
 };
 
 #endif

@@ -71,7 +71,7 @@ double Place(const vtkRelievoMapAxis& axis, double from)
 }
 
 // n.l of the visible surface.
-double GetFacing(const vtkRelievoCasterRays::Meeting& seen, const vtkRelievoToLight& to)
+double GetFacing(const vtkRelievoCasterRays::Hit& seen, const vtkRelievoToLight& to)
 {
   return glm::dot(glm::normalize(seen.Normal), glm::normalize(to.Ray));
 }
@@ -193,8 +193,7 @@ void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoFrameCamera& view, const
       const double x = part.x + part.z * std::fmod(0.5 + 0.7548776662466927 * (first + i), 1.0);
       const double y = part.y + part.w * std::fmod(0.5 + 0.5698402909980532 * (first + i), 1.0);
       const vtkRelievoPixelRay eye = pixels.GetRay(x * view.Viewport[2], y * view.Viewport[3]);
-      const vtkRelievoCasterRays::Meeting seen =
-        this->Rays.FindFirst(eye.From, eye.Ray, this->Nearest);
+      const vtkRelievoCasterRays::Hit seen = this->Rays.FindFirst(eye.From, eye.Ray, this->Nearest);
       lost[i] = vtkRelievoMeetsAny(
         this->Unfollowed, center, eye.From, eye.Ray, seen.Surface < 0 ? 1e300 : seen.T);
       if (seen.Surface < 0 || lost[i] || !this->Rays.GetSurfaces()[seen.Surface].Receives)
@@ -388,7 +387,7 @@ double vtkRelievoShadowProbe::GetEdgeShare()
 bool vtkRelievoShadowProbe::IsAtEdge(const Sample& sample) const
 {
   const vtkRelievoPixelRay& eye = sample.Beside;
-  const vtkRelievoCasterRays::Meeting seen = this->Rays.FindFirst(eye.From, eye.Ray, this->Nearest);
+  const vtkRelievoCasterRays::Hit seen = this->Rays.FindFirst(eye.From, eye.Ray, this->Nearest);
   if (seen.Surface < 0)
   {
     return false;

@@ -61,7 +61,7 @@ private:
   struct Sample
   {
     glm::dvec3 Place;
-    vtkRelievoCasterRays::Meeting Seen;
+    vtkRelievoCasterRays::Hit Seen;
     double Blur;
     vtkRelievoPixelRay Beside; // the eye's ray, half a pixel aside
     int Light;

@@ -18,7 +18,7 @@
 
 namespace
 {
-// Of a part's ray through a map.
+// Steps of a part's ray through a map.
 constexpr float MostSteps = 12.f;
 
 // Sets the uniforms that are constant for a program in a frame.

@@ -69,7 +69,7 @@ void vtkRelievoVolumeChannel::AddTints(
   {
     return; // the colours are in the data
   }
-  // Of two dependent components the first is the colour's.
+  // The first of two dependent components determines the colour.
   this->TintBy = components == 2 && !property->GetIndependentComponents() ? 0 : this->Component;
   double range[2];
   GetRange(array, this->TintBy, range);

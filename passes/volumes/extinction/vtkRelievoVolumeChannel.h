@@ -28,7 +28,7 @@ struct vtkRelievoVolumeChannel
   std::vector<float> Extinction; // of scalars, per unit of length in the volume's coordinates
   float First = 0.f;             // the scalar of its first entry
   float PerScalar = 0.f;         // entries
-  // Of the gradient's length, from 0 to a quarter of the scalars' range, beyond which it stays;
+  // Opacity by the gradient's length, from 0 to a quarter of the scalars' range, constant beyond;
   // empty: none. The length is that of differences of neighbours, each times its weight.
   std::vector<float> GradientOpacity;
   glm::vec3 Weights{ 1.f };

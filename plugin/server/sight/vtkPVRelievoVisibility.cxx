@@ -11,7 +11,25 @@
 vtkStandardNewMacro(vtkPVRelievoVisibility);
 
 //------------------------------------------------------------------------------
-vtkPVRelievoVisibility::vtkPVRelievoVisibility() = default;
+vtkPVRelievoVisibility::vtkPVRelievoVisibility()
+{
+  vtkRelievoParameterList& list = this->Parameters;
+  list.AddVector("position", vtkRelievoMember(Position),
+    "Where the camera stands; at first above the mesh, from where it sees all of it.");
+  list.AddVector("focal_point", vtkRelievoMember(FocalPoint),
+    "The point that it looks at; at first the centre of the mesh.");
+  list.AddVector("view_up", vtkRelievoMember(ViewUp), "The direction that is up in its picture.");
+  list.AddNumber(
+    "view_angle", vtkRelievoMember(ViewAngle), 0.001, 179.0, "degrees", "Its full vertical angle.");
+  list.AddText(
+    "lens", [this]() { return this->Lens; },
+    [this](const std::string& words) { this->SetLens(words.c_str()); },
+    "The lens in words, such as fisheye:angle=180, equirectangular (all around) or "
+    "orthographic:100 (pixels for a world unit), or the name of a calibration's file.");
+  list.AddFlag(
+    "make_cloud", this->Cloud, [this](bool on) { this->SetCloud(on); },
+    "Whether the second output has the visible surface points.");
+}
 
 //------------------------------------------------------------------------------
 vtkPVRelievoVisibility::~vtkPVRelievoVisibility() = default;

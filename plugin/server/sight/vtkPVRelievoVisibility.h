@@ -10,7 +10,9 @@
 #ifndef vtkPVRelievoVisibility_h
 #define vtkPVRelievoVisibility_h
 
+#include "vtkRelievoParametersMacro.h"    // for the parameters by name
 #include "vtkRelievoPluginServerModule.h" // for the export macro
+#include "vtkRelievoText.h"               // for their names and words
 #include "vtkRelievoVisibility.h"
 
 #include <string> // for the lens
@@ -42,8 +44,20 @@ public:
   vtkGetVector2Macro(Size, int);
   ///@}
 
+  ///@{
   /** A lens in the words of vtkRelievoCalibration. Default "pinhole". */
   void SetLens(const char* words);
+  const char* GetLens() { return this->Lens.c_str(); }
+  ///@}
+
+  ///@{
+  /** Cloud, whose property would have the name of an output. */
+  void SetMakeCloud(bool on) { this->SetCloud(on); }
+  bool GetMakeCloud() { return this->GetCloud(); }
+  ///@}
+
+  /** All of these by their names, as `focal_point`; the XML of their properties is generated. */
+  vtkRelievoParametersMacro();
 
 protected:
   vtkPVRelievoVisibility();
@@ -56,6 +70,7 @@ private:
   vtkPVRelievoVisibility(const vtkPVRelievoVisibility&) = delete;
   void operator=(const vtkPVRelievoVisibility&) = delete;
 
+  vtkRelievoParameterList Parameters;
   double Position[3] = { 0.0, 0.0, 1.0 };
   double FocalPoint[3] = { 0.0, 0.0, 0.0 };
   double ViewUp[3] = { 0.0, 1.0, 0.0 };

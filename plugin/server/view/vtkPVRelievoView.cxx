@@ -571,30 +571,6 @@ void vtkPVRelievoView::SetDisplayLayer(const char* name)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::SetDisplayRange(double first, double last)
-{
-  this->GetFrame()->SetDisplayRange(first, last);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetDisplayColormap(int map)
-{
-  GetDisplay(this)->SetColormap(map);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetDisplayReversed(bool on)
-{
-  GetDisplay(this)->SetReversed(on);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetDisplayGrey(bool on)
-{
-  this->GetFrame()->SetDisplayGrey(on);
-}
-
-//------------------------------------------------------------------------------
 void vtkPVRelievoView::SetDisplayLegend(bool on)
 {
   this->Internal->Legend.On = on;
@@ -634,6 +610,14 @@ void vtkPVRelievoView::SetStageValue(const char* parameter, double value)
 {
   SetParameter(
     this, parameter, [value](const vtkRelievoParameter& found) { return found.Set({ value }); });
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetStageValue(const char* parameter, double first, double second)
+{
+  SetParameter(this, parameter, [=](const vtkRelievoParameter& found) {
+    return found.Set({ first, second });
+  });
 }
 
 //------------------------------------------------------------------------------

@@ -106,14 +106,8 @@ public:
   /** Whether the environment is shown behind everything. Default off. */
   void SetSkybox(bool on);
 
-  ///@{
-  /** The settings of vtkRelievoPass for the displayed layer. */
+  /** The layer that vtkRelievoPass displays; "None": the picture itself. */
   void SetDisplayLayer(const char* name);
-  void SetDisplayRange(double first, double last);
-  void SetDisplayColormap(int map);
-  void SetDisplayReversed(bool on);
-  void SetDisplayGrey(bool on);
-  ///@}
 
   /**
    * Whether its legend is in the picture, if a single row of colours explains all its values;
@@ -125,11 +119,12 @@ public:
   /**
    * A stage of the frame by its name, and its parameters as "stage:parameter", in the numbers of
    * vtkRelievoParameter (a choice by its index, a flag as 0 or 1). A refused value leaves the old
-   * one, with a warning. The XML of these properties, including those of shadows, is generated from
-   * the stages.
+   * one, with a warning. The XML of these properties, including those of shadows and of the
+   * displayed layer, is generated from the stages.
    */
   void SetStageOn(const char* stage, bool on);
   void SetStageValue(const char* parameter, double value);
+  void SetStageValue(const char* parameter, double first, double second);
   void SetStageValue(const char* parameter, double first, double second, double third);
   void SetStageText(const char* parameter, const char* text);
   ///@}
