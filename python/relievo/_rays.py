@@ -254,8 +254,8 @@ def rays(*things) -> Rays:
         without them, hits have numbers of props, cells and points, but `props` are None.
 
     Returns Rays. Raises ValueError for wrong arguments, also for a file that is damaged or of
-    another scene, and OSError for a file that cannot be opened. A renderer's props that rays do not support
-    (volumes, lines, points, wireframes, cut-outs) are left out with a warning.
+    another scene, and OSError for a file that cannot be opened. A renderer's props that rays do not
+    support (volumes, lines, points, wireframes, cut-outs) are left out with a warning.
     """
     if not things:
         raise ValueError(f"rays: got nothing, expected {_EXPECTED}")

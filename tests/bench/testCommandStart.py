@@ -87,7 +87,8 @@ class Cost(unittest.TestCase):
 
 class ScalingOut(unittest.TestCase):
     def test_small_tables(self):
-        done = subprocess.run([sys.executable, BENCH / "scaling_out.py", "--small", "--rounds", "1"],
+        script = BENCH / "scaling_out.py"
+        done = subprocess.run([sys.executable, script, "--small", "--rounds", "1"],
                               stdout=subprocess.PIPE, text=True, check=True)  # fmt: skip
         rows = list(csv.DictReader(done.stdout.splitlines()))
         self.assertEqual([row["subject"] for row in rows],
