@@ -457,7 +457,7 @@ struct vtkRelievoRayScene::Internals
   bool Frozen = false; // a copy of another scene's state, which is not updated
   std::vector<vtkRelievoPlacedMesh> FrozenMeshes;
   std::vector<Source> FrozenSources;
-  // Of a file: the trees of FrozenMeshes, the number of props, and the geometry's hash.
+  // The content of a file: meshes, their trees, the number of props, and the hash of the geometry.
   struct Stored
   {
     std::vector<std::shared_ptr<vtkRelievoMeshTree>> Trees;
@@ -1301,6 +1301,15 @@ void AddValues(vtkRelievoRayHash& hash, vtkDataArray* array)
   }
 }
 
+// A mesh in a file; arrays that it has come after it, in this order.
+struct MeshRecord
+{
+  std::int64_t Tree, Prop, Block, IsOpaque, NormalsOfCells, ByOutline, PointsOfPlace;
+  std::int64_t HasFloatNormals, HasDoubleNormals, HasCells, HasPoints, HasPlaces, HasGlyphPoints;
+  double Opacity;
+  double MeshToWorld[16];
+};
+
 // An array of values in a file's memory, which must last as long; null: there is none.
 template <typename Array>
 vtkSmartPointer<Array> TakeArray(vtkRelievoRayFileReader& file, int components)
@@ -1363,35 +1372,42 @@ void vtkRelievoRayScene::Internals::TakeTrees(const Stored& file)
 }
 
 //------------------------------------------------------------------------------
-// Arrays that a mesh lacks are left out.
 void vtkRelievoRayScene::Internals::WriteMesh(
   vtkRelievoRayFileWriter& file, std::size_t mesh, std::int64_t tree) const
 {
   const vtkRelievoPlacedMesh& placed = this->Meshes[mesh];
   const Source& source = this->Sources[mesh];
-  const bool isDouble = source.Normals && source.Normals->GetDataType() != VTK_FLOAT;
-  const std::int64_t numbers[] = { tree, source.Prop, placed.Block, source.IsOpaque ? 1 : 0,
-    source.OfCells ? 1 : 0, placed.ByOutline ? 1 : 0, source.PointsOfPlace,
-    source.Normals ? (isDouble ? 2 : 1) : 0, source.Cells ? 1 : 0, source.Points ? 1 : 0,
-    placed.Places ? 1 : 0, placed.Points ? 1 : 0 };
-  file.Put(numbers, std::size(numbers));
-  file.Put(&placed.MeshToWorld[0][0], 16);
-  file.Put(&placed.Opacity, 1);
-  if (source.Normals)
+  const bool isFloat = source.Normals && source.Normals->GetDataType() == VTK_FLOAT;
+  MeshRecord record{};
+  record.Tree = tree;
+  record.Prop = source.Prop;
+  record.Block = placed.Block;
+  record.IsOpaque = source.IsOpaque;
+  record.NormalsOfCells = source.OfCells;
+  record.ByOutline = placed.ByOutline;
+  record.PointsOfPlace = source.PointsOfPlace;
+  record.HasFloatNormals = isFloat;
+  record.HasDoubleNormals = source.Normals && !isFloat;
+  record.HasCells = source.Cells != nullptr;
+  record.HasPoints = source.Points != nullptr;
+  record.HasPlaces = placed.Places != nullptr;
+  record.HasGlyphPoints = placed.Points != nullptr;
+  record.Opacity = placed.Opacity;
+  std::copy_n(&placed.MeshToWorld[0][0], 16, record.MeshToWorld);
+  file.Put(&record, 1);
+  const auto count =
+    static_cast<std::size_t>(source.Normals ? source.Normals->GetNumberOfValues() : 0);
+  if (isFloat)
   {
-    vtkNew<vtkFloatArray> floats;
-    vtkNew<vtkDoubleArray> doubles;
-    const auto count = static_cast<std::size_t>(source.Normals->GetNumberOfValues());
-    if (isDouble)
-    {
-      doubles->DeepCopy(source.Normals);
-      file.Put(doubles->GetPointer(0), count);
-    }
-    else
-    {
-      floats->DeepCopy(source.Normals);
-      file.Put(floats->GetPointer(0), count);
-    }
+    vtkNew<vtkFloatArray> normals;
+    normals->DeepCopy(source.Normals);
+    file.Put(normals->GetPointer(0), count);
+  }
+  else if (source.Normals)
+  {
+    vtkNew<vtkDoubleArray> normals;
+    normals->DeepCopy(source.Normals);
+    file.Put(normals->GetPointer(0), count);
   }
   for (vtkIdTypeArray* indices : { source.Cells, source.Points })
   {
@@ -1413,46 +1429,45 @@ void vtkRelievoRayScene::Internals::WriteMesh(
 //------------------------------------------------------------------------------
 bool vtkRelievoRayScene::Internals::Stored::ReadMesh(vtkRelievoRayFileReader& file)
 {
-  std::vector<std::int64_t> numbers;
-  std::vector<double> matrix, opacity;
-  if (!file.Take(numbers) || numbers.size() != 12 || !file.Take(matrix) || matrix.size() != 16 ||
-    !file.Take(opacity) || opacity.size() != 1)
+  std::vector<MeshRecord> records;
+  if (!file.Take(records) || records.size() != 1)
   {
     return false;
   }
-  const auto isWithin = [&numbers](std::size_t i, std::int64_t low, std::int64_t high) {
-    return numbers[i] >= low && numbers[i] <= high;
+  const MeshRecord& record = records.front();
+  const auto isWithin = [](std::int64_t number, std::int64_t low, std::int64_t high) {
+    return number >= low && number <= high;
   };
-  if (!isWithin(0, 0, static_cast<std::int64_t>(this->Trees.size()) - 1) ||
-    !isWithin(1, -1, this->NumberOfProps - 1) || !isWithin(2, 0, VTK_INT_MAX) ||
-    !isWithin(6, 0, VTK_INT_MAX) || !isWithin(7, 0, 2))
+  if (!isWithin(record.Tree, 0, static_cast<std::int64_t>(this->Trees.size()) - 1) ||
+    !isWithin(record.Prop, -1, this->NumberOfProps - 1) ||
+    !isWithin(record.Block, 0, VTK_INT_MAX) || !isWithin(record.PointsOfPlace, 0, VTK_INT_MAX))
   {
     return false;
   }
-  const vtkRelievoMeshTree& tree = *this->Trees[static_cast<std::size_t>(numbers[0])];
+  const vtkRelievoMeshTree& tree = *this->Trees[static_cast<std::size_t>(record.Tree)];
   vtkRelievoPlacedMesh placed;
   Source source;
   auto mesh = vtkSmartPointer<vtkPolyData>::New(); // has only arrays
   placed.Mesh = mesh;
-  placed.Block = static_cast<int>(numbers[2]);
-  placed.ByOutline = numbers[5] != 0;
-  placed.Opacity = opacity[0];
-  std::copy(matrix.begin(), matrix.end(), &placed.MeshToWorld[0][0]);
-  source.Prop = static_cast<int>(numbers[1]);
-  source.IsOpaque = numbers[3] != 0;
-  source.OfCells = numbers[4] != 0;
-  source.PointsOfPlace = static_cast<vtkIdType>(numbers[6]);
-  if (numbers[7] != 0)
+  placed.Block = static_cast<int>(record.Block);
+  placed.ByOutline = record.ByOutline != 0;
+  placed.Opacity = record.Opacity;
+  std::copy_n(record.MeshToWorld, 16, &placed.MeshToWorld[0][0]);
+  source.Prop = static_cast<int>(record.Prop);
+  source.IsOpaque = record.IsOpaque != 0;
+  source.OfCells = record.NormalsOfCells != 0;
+  source.PointsOfPlace = static_cast<vtkIdType>(record.PointsOfPlace);
+  vtkSmartPointer<vtkDataArray> normals;
+  if (record.HasFloatNormals != 0)
   {
-    vtkSmartPointer<vtkDataArray> normals;
-    if (numbers[7] == 1)
-    {
-      normals = TakeArray<vtkFloatArray>(file, 3);
-    }
-    else
-    {
-      normals = TakeArray<vtkDoubleArray>(file, 3);
-    }
+    normals = TakeArray<vtkFloatArray>(file, 3);
+  }
+  else if (record.HasDoubleNormals != 0)
+  {
+    normals = TakeArray<vtkDoubleArray>(file, 3);
+  }
+  if (record.HasFloatNormals != 0 || record.HasDoubleNormals != 0)
+  {
     if (!normals ||
       normals->GetNumberOfTuples() <= (source.OfCells ? tree.GetLastCell() : tree.GetLastPoint()))
     {
@@ -1461,18 +1476,18 @@ bool vtkRelievoRayScene::Internals::Stored::ReadMesh(vtkRelievoRayFileReader& fi
     mesh->GetFieldData()->AddArray(normals);
     source.Normals = normals;
   }
-  const auto takeIndices = [&](std::size_t i, vtkIdType last, vtkIdTypeArray*& indices) {
-    const auto array = numbers[i] ? TakeArray<vtkIdTypeArray>(file, 1) : nullptr;
+  const auto takeIndices = [&](std::int64_t has, vtkIdType last, vtkIdTypeArray*& indices) {
+    const auto array = has != 0 ? TakeArray<vtkIdTypeArray>(file, 1) : nullptr;
     this->Indices.push_back(array);
     indices = array;
-    return !numbers[i] || (array && array->GetNumberOfTuples() > last);
+    return has == 0 || (array && array->GetNumberOfTuples() > last);
   };
-  if (!takeIndices(8, tree.GetLastCell(), source.Cells) ||
-    !takeIndices(9, tree.GetLastPoint(), source.Points))
+  if (!takeIndices(record.HasCells, tree.GetLastCell(), source.Cells) ||
+    !takeIndices(record.HasPoints, tree.GetLastPoint(), source.Points))
   {
     return false;
   }
-  if (numbers[10])
+  if (record.HasPlaces != 0)
   {
     const auto places = std::make_shared<std::vector<glm::dmat4>>();
     placed.Places = places;
@@ -1481,7 +1496,7 @@ bool vtkRelievoRayScene::Internals::Stored::ReadMesh(vtkRelievoRayFileReader& fi
       return false;
     }
   }
-  if (numbers[11])
+  if (record.HasGlyphPoints != 0)
   {
     const auto points = std::make_shared<std::vector<vtkIdType>>();
     placed.Points = points;
@@ -1490,7 +1505,7 @@ bool vtkRelievoRayScene::Internals::Stored::ReadMesh(vtkRelievoRayFileReader& fi
       return false;
     }
   }
-  this->TreeOfMesh.push_back(static_cast<std::size_t>(numbers[0]));
+  this->TreeOfMesh.push_back(static_cast<std::size_t>(record.Tree));
   this->Meshes.push_back(placed);
   this->Sources.push_back(source);
   this->Owned.push_back(mesh);
