@@ -27,6 +27,11 @@ int RunScale(const std::string& outDir)
     "scale.py", { ScriptPlace::Relievo, "--out", outDir + "/scale.csv" }, "", { "--small" });
 }
 
+int RunScalingOut(const std::string& outDir)
+{
+  return RunScript("scaling_out.py", {}, outDir + "/scaling-out.csv", { "--small" });
+}
+
 const std::vector<std::string> FewRounds = { "--rounds", "3" };
 
 int RunCommandStart(const std::string& outDir)
@@ -124,6 +129,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "compare", "faults in scenes that comparisons find and explain, beside other methods",
       RunCompare, "compare.py" },
     { "scale", "time and memory of whole commands by the size of the scene", RunScale, "scale.py" },
+    { "scaling-out", "time of starts with files of ray trees, of many views, of camera places",
+      RunScalingOut, "scaling_out.py" },
     { "command-start", "time of a command from its start to the picture", RunCommandStart,
       "command_start.py" },
     { "f3d", "time to load, to the first picture and per frame, beside F3D", RunF3D,

@@ -14,6 +14,8 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -31,6 +33,7 @@
 #include "vtkRelievoMeshTexels.h"
 #include "vtkRelievoPropMeshes.h"
 #include "vtkRelievoPropParts.h"
+#include "vtkRelievoRayFile.h"
 #include "vtkRelievoRayTree.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRenderer.h"
@@ -52,8 +55,10 @@
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoRayScene);
@@ -452,6 +457,24 @@ struct vtkRelievoRayScene::Internals
   bool Frozen = false; // a copy of another scene's state, which is not updated
   std::vector<vtkRelievoPlacedMesh> FrozenMeshes;
   std::vector<Source> FrozenSources;
+  // The content of a file: meshes, their trees, the number of props, and the hash of the geometry.
+  struct Stored
+  {
+    std::vector<std::shared_ptr<vtkRelievoMeshTree>> Trees;
+    std::vector<std::size_t> TreeOfMesh;
+    std::vector<vtkRelievoPlacedMesh> Meshes;
+    std::vector<Source> Sources;
+    std::vector<vtkSmartPointer<vtkPolyData>> Owned; // of Meshes: they have normals and indices
+    std::vector<vtkSmartPointer<vtkIdTypeArray>> Indices;
+    std::shared_ptr<const void> Memory; // of the arrays
+    std::int64_t NumberOfProps = 0;
+    std::uint64_t Geometry = 0;
+
+    std::string Read(const std::string& path);
+    bool ReadMesh(vtkRelievoRayFileReader& file);
+  };
+  std::shared_ptr<const Stored> File;
+  std::vector<vtkSmartPointer<vtkPolyData>> OwnedBefore; // until the trees have new meshes
   std::vector<Hit>* Nearest = nullptr; // receives the nearest hits, if a caller needs them
   vtkRelievoRayTree Tree;
 
@@ -463,6 +486,9 @@ struct vtkRelievoRayScene::Internals
   void TakeIds(const char* name);
   bool HasIds() const;
   bool SetMeshes(bool opaqueOnly);
+  void TakeTrees(const Stored& file);
+  std::uint64_t GetGeometry() const;
+  void WriteMesh(vtkRelievoRayFileWriter& file, std::size_t mesh, std::int64_t tree) const;
   std::string AddBlock(vtkDataObject* data, int block, int prop, vtkMatrix4x4* matrix);
   void Write(const Columns& columns, vtkIdType row, const Line& ray, const Hit& hit) const;
   glm::dvec3 GetShadingNormal(const Hit& hit, const vtkRelievoRayTree::Details& details) const;
@@ -913,6 +939,7 @@ void vtkRelievoRayScene::PrintSelf(ostream& os, vtkIndent indent)
 void vtkRelievoRayScene::SetRenderer(vtkRenderer* renderer)
 {
   this->Internal->Frozen = false;
+  this->Internal->File = nullptr;
   if (this->Internal->Renderer != renderer)
   {
     this->Internal->Renderer = renderer;
@@ -930,6 +957,7 @@ vtkRenderer* vtkRelievoRayScene::GetRenderer()
 int vtkRelievoRayScene::AddData(vtkDataObject* data, vtkMatrix4x4* matrix)
 {
   this->Internal->Frozen = false;
+  this->Internal->File = nullptr;
   if (!vtkDataSet::SafeDownCast(data) && !vtkCompositeDataSet::SafeDownCast(data))
   {
     vtkErrorMacro("AddData: got " << (data ? data->GetClassName() : "nothing")
@@ -970,10 +998,24 @@ bool vtkRelievoRayScene::Update()
   {
     scene.Meshes = scene.FrozenMeshes;
     scene.Sources = scene.FrozenSources;
+    if (scene.File)
+    {
+      scene.TakeTrees(*scene.File);
+    }
     return scene.SetMeshes(this->OpaqueOnly);
   }
-  // Meshes are released after the trees have taken the new ones.
-  const std::vector<vtkSmartPointer<vtkPolyData>> before = std::move(scene.Owned);
+  this->Collect();
+  const bool changed = scene.SetMeshes(this->OpaqueOnly);
+  scene.OwnedBefore.clear();
+  return changed;
+}
+
+//------------------------------------------------------------------------------
+// Lists the meshes of the renderer and the data.
+void vtkRelievoRayScene::Collect()
+{
+  Internals& scene = *this->Internal;
+  scene.OwnedBefore = std::move(scene.Owned);
   scene.Owned.clear();
   scene.Meshes.clear();
   scene.Sources.clear();
@@ -1012,7 +1054,6 @@ bool vtkRelievoRayScene::Update()
                                           "that are not finite or map points to infinity are "
                                           "left out");
   }
-  return scene.SetMeshes(this->OpaqueOnly);
 }
 
 //------------------------------------------------------------------------------
@@ -1228,6 +1269,371 @@ int vtkRelievoRayScene::GetNumberOfMeshesRefitted()
 unsigned long vtkRelievoRayScene::GetActualMemorySize()
 {
   return static_cast<unsigned long>((this->Internal->Tree.GetBytes() + 1023) / 1024);
+}
+
+namespace
+{
+// Adds the values as numbers of one type, whatever the array's own.
+template <typename Value>
+void AddValues(vtkRelievoRayHash& hash, vtkDataArray* array)
+{
+  constexpr vtkIdType chunk = 4096; // values: whole blocks of the hash
+  const vtkIdType count = array ? array->GetNumberOfValues() : 0;
+  const bool isFloating =
+    count > 0 && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
+  if (count > 0 && array->GetDataTypeSize() == static_cast<int>(sizeof(Value)) &&
+    isFloating == std::is_floating_point<Value>::value && array->HasStandardMemoryLayout())
+  {
+    hash.Add(array->GetVoidPointer(0), static_cast<std::size_t>(count) * sizeof(Value));
+    return;
+  }
+  const int components = count > 0 ? array->GetNumberOfComponents() : 1;
+  std::vector<Value> values;
+  for (vtkIdType first = 0; first < count; first += chunk)
+  {
+    values.clear();
+    for (vtkIdType i = first; i < std::min(count, first + chunk); ++i)
+    {
+      values.push_back(
+        static_cast<Value>(array->GetComponent(i / components, static_cast<int>(i % components))));
+    }
+    hash.Add(values.data(), values.size() * sizeof(Value));
+  }
+}
+
+// A mesh in a file; arrays that it has come after it, in this order.
+struct MeshRecord
+{
+  std::int64_t Tree, Prop, Block, IsOpaque, NormalsOfCells, ByOutline, PointsOfPlace;
+  std::int64_t HasFloatNormals, HasDoubleNormals, HasCells, HasPoints, HasPlaces, HasGlyphPoints;
+  double Opacity;
+  double MeshToWorld[16];
+};
+
+// An array of values in a file's memory, which must last as long; null: there is none.
+template <typename Array>
+vtkSmartPointer<Array> TakeArray(vtkRelievoRayFileReader& file, int components)
+{
+  using Value = std::remove_pointer_t<decltype(std::declval<Array>().GetPointer(0))>;
+  const Value* values = nullptr;
+  std::size_t count = 0;
+  if (!file.Take(values, count) || count % static_cast<std::size_t>(components) != 0)
+  {
+    return nullptr;
+  }
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetNumberOfComponents(components);
+  array->SetArray(const_cast<Value*>(values), static_cast<vtkIdType>(count), 1);
+  return array;
+}
+}
+
+//------------------------------------------------------------------------------
+// Hash of the points, cells and matrices of all meshes.
+std::uint64_t vtkRelievoRayScene::Internals::GetGeometry() const
+{
+  if (this->File)
+  {
+    return this->File->Geometry;
+  }
+  vtkRelievoRayHash hash;
+  for (std::size_t i = 0; i < this->Meshes.size(); ++i)
+  {
+    const vtkRelievoPlacedMesh& placed = this->Meshes[i];
+    vtkPolyData* mesh = placed.Mesh;
+    const std::int64_t numbers[] = { this->Sources[i].Prop, placed.Block, placed.ByOutline ? 1 : 0,
+      static_cast<std::int64_t>(placed.GetNumberOfPlaces()), mesh->GetNumberOfPoints(),
+      mesh->GetNumberOfVerts() + mesh->GetNumberOfLines(), mesh->GetNumberOfPolys(),
+      mesh->GetNumberOfStrips() };
+    hash.Add(numbers, sizeof(numbers));
+    hash.Add(&placed.MeshToWorld, sizeof(glm::dmat4));
+    if (placed.Places)
+    {
+      hash.Add(placed.Places->data(), placed.Places->size() * sizeof(glm::dmat4));
+    }
+    AddValues<double>(hash, mesh->GetPoints() ? mesh->GetPoints()->GetData() : nullptr);
+    for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+    {
+      AddValues<std::int64_t>(hash, cells->GetOffsetsArray());
+      AddValues<std::int64_t>(hash, cells->GetConnectivityArray());
+    }
+  }
+  return hash.Get();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::Internals::TakeTrees(const Stored& file)
+{
+  for (std::size_t i = 0; i < this->Meshes.size(); ++i)
+  {
+    this->Tree.SetMeshTree(
+      this->Meshes[i].Mesh, this->Meshes[i].ByOutline, file.Trees[file.TreeOfMesh[i]]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::Internals::WriteMesh(
+  vtkRelievoRayFileWriter& file, std::size_t mesh, std::int64_t tree) const
+{
+  const vtkRelievoPlacedMesh& placed = this->Meshes[mesh];
+  const Source& source = this->Sources[mesh];
+  const bool isFloat = source.Normals && source.Normals->GetDataType() == VTK_FLOAT;
+  MeshRecord record{};
+  record.Tree = tree;
+  record.Prop = source.Prop;
+  record.Block = placed.Block;
+  record.IsOpaque = source.IsOpaque;
+  record.NormalsOfCells = source.OfCells;
+  record.ByOutline = placed.ByOutline;
+  record.PointsOfPlace = source.PointsOfPlace;
+  record.HasFloatNormals = isFloat;
+  record.HasDoubleNormals = source.Normals && !isFloat;
+  record.HasCells = source.Cells != nullptr;
+  record.HasPoints = source.Points != nullptr;
+  record.HasPlaces = placed.Places != nullptr;
+  record.HasGlyphPoints = placed.Points != nullptr;
+  record.Opacity = placed.Opacity;
+  std::copy_n(&placed.MeshToWorld[0][0], 16, record.MeshToWorld);
+  file.Put(&record, 1);
+  const auto count =
+    static_cast<std::size_t>(source.Normals ? source.Normals->GetNumberOfValues() : 0);
+  if (isFloat)
+  {
+    vtkNew<vtkFloatArray> normals;
+    normals->DeepCopy(source.Normals);
+    file.Put(normals->GetPointer(0), count);
+  }
+  else if (source.Normals)
+  {
+    vtkNew<vtkDoubleArray> normals;
+    normals->DeepCopy(source.Normals);
+    file.Put(normals->GetPointer(0), count);
+  }
+  for (vtkIdTypeArray* indices : { source.Cells, source.Points })
+  {
+    if (indices)
+    {
+      file.Put(indices->GetPointer(0), static_cast<std::size_t>(indices->GetNumberOfValues()));
+    }
+  }
+  if (placed.Places)
+  {
+    file.Put(*placed.Places);
+  }
+  if (placed.Points)
+  {
+    file.Put(*placed.Points);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayScene::Internals::Stored::ReadMesh(vtkRelievoRayFileReader& file)
+{
+  std::vector<MeshRecord> records;
+  if (!file.Take(records) || records.size() != 1)
+  {
+    return false;
+  }
+  const MeshRecord& record = records.front();
+  const auto isWithin = [](std::int64_t number, std::int64_t low, std::int64_t high) {
+    return number >= low && number <= high;
+  };
+  if (!isWithin(record.Tree, 0, static_cast<std::int64_t>(this->Trees.size()) - 1) ||
+    !isWithin(record.Prop, -1, this->NumberOfProps - 1) ||
+    !isWithin(record.Block, 0, VTK_INT_MAX) || !isWithin(record.PointsOfPlace, 0, VTK_INT_MAX))
+  {
+    return false;
+  }
+  const vtkRelievoMeshTree& tree = *this->Trees[static_cast<std::size_t>(record.Tree)];
+  vtkRelievoPlacedMesh placed;
+  Source source;
+  auto mesh = vtkSmartPointer<vtkPolyData>::New(); // has only arrays
+  placed.Mesh = mesh;
+  placed.Block = static_cast<int>(record.Block);
+  placed.ByOutline = record.ByOutline != 0;
+  placed.Opacity = record.Opacity;
+  std::copy_n(record.MeshToWorld, 16, &placed.MeshToWorld[0][0]);
+  source.Prop = static_cast<int>(record.Prop);
+  source.IsOpaque = record.IsOpaque != 0;
+  source.OfCells = record.NormalsOfCells != 0;
+  source.PointsOfPlace = static_cast<vtkIdType>(record.PointsOfPlace);
+  vtkSmartPointer<vtkDataArray> normals;
+  if (record.HasFloatNormals != 0)
+  {
+    normals = TakeArray<vtkFloatArray>(file, 3);
+  }
+  else if (record.HasDoubleNormals != 0)
+  {
+    normals = TakeArray<vtkDoubleArray>(file, 3);
+  }
+  if (record.HasFloatNormals != 0 || record.HasDoubleNormals != 0)
+  {
+    if (!normals ||
+      normals->GetNumberOfTuples() <= (source.OfCells ? tree.GetLastCell() : tree.GetLastPoint()))
+    {
+      return false;
+    }
+    mesh->GetFieldData()->AddArray(normals);
+    source.Normals = normals;
+  }
+  const auto takeIndices = [&](std::int64_t has, vtkIdType last, vtkIdTypeArray*& indices) {
+    const auto array = has != 0 ? TakeArray<vtkIdTypeArray>(file, 1) : nullptr;
+    this->Indices.push_back(array);
+    indices = array;
+    return has == 0 || (array && array->GetNumberOfTuples() > last);
+  };
+  if (!takeIndices(record.HasCells, tree.GetLastCell(), source.Cells) ||
+    !takeIndices(record.HasPoints, tree.GetLastPoint(), source.Points))
+  {
+    return false;
+  }
+  if (record.HasPlaces != 0)
+  {
+    const auto places = std::make_shared<std::vector<glm::dmat4>>();
+    placed.Places = places;
+    if (!file.Take(*places))
+    {
+      return false;
+    }
+  }
+  if (record.HasGlyphPoints != 0)
+  {
+    const auto points = std::make_shared<std::vector<vtkIdType>>();
+    placed.Points = points;
+    if (!file.Take(*points) || points->size() != placed.GetNumberOfPlaces())
+    {
+      return false;
+    }
+  }
+  this->TreeOfMesh.push_back(static_cast<std::size_t>(record.Tree));
+  this->Meshes.push_back(placed);
+  this->Sources.push_back(source);
+  this->Owned.push_back(mesh);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Returns why the file cannot be used; empty: it can.
+std::string vtkRelievoRayScene::Internals::Stored::Read(const std::string& path)
+{
+  vtkRelievoRayFileReader file;
+  const std::string fault = file.Open(path);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  std::vector<std::int64_t> numbers;
+  bool good = file.Take(numbers) && numbers.size() == 4 && numbers[0] >= 0 && numbers[1] >= 0 &&
+    numbers[2] >= 0 && numbers[0] <= VTK_INT_MAX;
+  if (good)
+  {
+    this->NumberOfProps = numbers[0];
+    this->Geometry = static_cast<std::uint64_t>(numbers[3]);
+  }
+  for (std::int64_t i = 0; good && i < numbers[1]; ++i)
+  {
+    this->Trees.push_back(std::make_shared<vtkRelievoMeshTree>());
+    good = this->Trees.back()->Read(file);
+  }
+  for (std::int64_t i = 0; good && i < numbers[2]; ++i)
+  {
+    good = this->ReadMesh(file);
+  }
+  this->Memory = file.GetMemory();
+  return good && file.IsAtEnd() ? std::string()
+                                : path + ": is damaged: its numbers do not fit each other";
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayScene::Write(RELIEVO_TEXT path)
+{
+  const bool opaqueOnly = this->OpaqueOnly;
+  this->OpaqueOnly = false;
+  this->Update();
+  this->OpaqueOnly = opaqueOnly;
+  const Internals& scene = *this->Internal;
+  std::string fault = scene.Fault;
+  if (fault.empty())
+  {
+    vtkRelievoRayFileWriter file(path);
+    std::map<std::pair<vtkPolyData*, bool>, std::int64_t> numbers;
+    std::vector<const vtkRelievoMeshTree*> trees;
+    std::vector<std::int64_t> treeOfMesh;
+    for (const vtkRelievoPlacedMesh& placed : scene.Meshes)
+    {
+      const auto number = numbers.emplace(
+        std::make_pair(placed.Mesh, placed.ByOutline), static_cast<std::int64_t>(trees.size()));
+      if (number.second)
+      {
+        trees.push_back(&scene.Tree.GetMeshTree(placed.Mesh, placed.ByOutline));
+      }
+      treeOfMesh.push_back(number.first->second);
+    }
+    const std::int64_t about[] = { this->GetNumberOfProps(),
+      static_cast<std::int64_t>(trees.size()), static_cast<std::int64_t>(scene.Meshes.size()),
+      static_cast<std::int64_t>(scene.GetGeometry()) };
+    file.Put(about, std::size(about));
+    for (const vtkRelievoMeshTree* tree : trees)
+    {
+      tree->Write(file);
+    }
+    for (std::size_t i = 0; i < scene.Meshes.size(); ++i)
+    {
+      scene.WriteMesh(file, i, treeOfMesh[i]);
+    }
+    fault = file.Finish();
+  }
+  if (!fault.empty())
+  {
+    vtkErrorMacro("Write: " << fault);
+  }
+  return fault.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayScene::Read(RELIEVO_TEXT path)
+{
+  Internals& scene = *this->Internal;
+  const auto file = std::make_shared<Internals::Stored>();
+  std::string fault = file->Read(path);
+  const bool isLive = scene.Renderer || !scene.Data.empty();
+  if (fault.empty() && isLive)
+  {
+    this->Collect();
+    fault = scene.GetGeometry() == file->Geometry && scene.Meshes.size() == file->Meshes.size()
+      ? scene.Fault
+      : path + ": was written of another scene: its points, cells or matrices differ";
+    if (fault.empty())
+    {
+      scene.TakeTrees(*file);
+    }
+    else
+    {
+      scene.Fault.clear();
+    }
+  }
+  if (!fault.empty())
+  {
+    vtkErrorMacro("Read: " << fault);
+    return false;
+  }
+  if (isLive)
+  {
+    scene.SetMeshes(this->OpaqueOnly);
+    scene.OwnedBefore.clear();
+  }
+  else
+  {
+    scene.File = file;
+    scene.Frozen = true;
+    scene.Fault.clear();
+    scene.LeftOut.clear();
+    scene.FrozenMeshes = file->Meshes;
+    scene.FrozenSources = file->Sources;
+    this->Update();
+  }
+  this->Modified();
+  return true;
 }
 
 namespace
@@ -1510,9 +1916,15 @@ void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
                                            << ", expected another one.");
     return;
   }
+  if (other->Internal->File)
+  {
+    vtkErrorMacro("CopyStateOf was given a scene of a file, expected one of a renderer or data.");
+    return;
+  }
   other->Update();
   Internals& from = *other->Internal;
   Internals& to = *this->Internal;
+  to.File = nullptr;
   to.Renderer = nullptr;
   to.Data.clear();
   to.Surfaces.clear();
@@ -1550,6 +1962,12 @@ bool vtkRelievoRayScene::FindMoved(vtkRelievoRayScene* later, vtkDataArray* orig
   {
     vtkErrorMacro("FindMoved was given " << (later ? "no array to fill" : "no other scene")
                                          << ", expected both.");
+    return false;
+  }
+  if (this->Internal->File || later->Internal->File)
+  {
+    vtkErrorMacro("FindMoved was called with a scene of a file, expected scenes of renderers or "
+                  "data.");
     return false;
   }
   std::vector<Hit> nearest;
@@ -1593,6 +2011,10 @@ bool vtkRelievoRayScene::FindMoved(vtkRelievoRayScene* later, vtkDataArray* orig
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfProps()
 {
+  if (this->Internal->File)
+  {
+    return static_cast<int>(this->Internal->File->NumberOfProps);
+  }
   vtkRenderer* renderer = this->Internal->Renderer;
   const int actors = renderer ? renderer->GetActors()->GetNumberOfItems() : 0;
   return actors + static_cast<int>(this->Internal->Data.size());
@@ -1616,6 +2038,10 @@ vtkDataObject* vtkRelievoRayScene::GetPropData(int prop)
   if (mapper)
   {
     return mapper->GetNumberOfInputConnections(0) > 0 ? mapper->GetInputDataObject(0, 0) : nullptr;
+  }
+  if (this->Internal->File)
+  {
+    return nullptr;
   }
   const int added =
     prop - (this->GetNumberOfProps() - static_cast<int>(this->Internal->Data.size()));
@@ -1660,6 +2086,11 @@ void vtkRelievoRayScene::CopyMesh(int number, vtkPolyData* copy)
   {
     vtkErrorMacro("CopyMesh: got " << (copy ? "" : "nothing to copy to and ") << "mesh " << number
                                    << ", expected one of " << this->GetNumberOfMeshes());
+    return;
+  }
+  if (this->Internal->File)
+  {
+    vtkErrorMacro("CopyMesh: the scene was read from a file, which has no cells.");
     return;
   }
   const vtkRelievoPlacedMesh& placed = this->Internal->Meshes[static_cast<std::size_t>(number)];

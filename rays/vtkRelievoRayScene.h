@@ -32,6 +32,7 @@
 
 #include "vtkObject.h"
 #include "vtkRelievoRaysModule.h" // for the export macro
+#include "vtkRelievoText.h"       // for names of files
 
 #include <memory> // for the data that is not shown here
 
@@ -167,6 +168,28 @@ public:
   ///@}
 
   /**
+   * Writes the meshes, their trees and their normals to a file, for Read; all of them, also with
+   * OpaqueOnly. An existing file is replaced when the new one is complete. The file takes as much
+   * memory as the trees, has the byte order of this machine, a number of its format and a hash.
+   * False, with an error, if the file cannot be written or the data have no trees.
+   */
+  bool Write(RELIEVO_TEXT file);
+
+  /**
+   * Reads a file of Write: its trees stay in the file, which is mapped into memory that all
+   * processes share. Do not change a file that is in use; replace it, as Write does.
+   *
+   * If the scene has a renderer or data, the file must have been written of the same points, cells
+   * and matrices; the trees are then used as if the scene had built them, and later changes are
+   * followed. Otherwise the scene gets the state that was written: it has no props' data,
+   * CopyMesh, CopyStateOf and FindMoved are refused, and SetRenderer and AddData start a new scene.
+   *
+   * False, with an error that says why, for a file that is damaged, of another format, of a machine
+   * of the other byte order, or of another scene. The scene is then unchanged.
+   */
+  bool Read(RELIEVO_TEXT file);
+
+  /**
    * Copies another scene's present state, with the same numbers; later changes have no effect on
    * the copy. SetRenderer and AddData start a new scene.
    */
@@ -230,6 +253,7 @@ private:
   void operator=(const vtkRelievoRayScene&) = delete;
 
   vtkMapper* GetMapper(int prop);
+  void Collect();
   bool Begin(vtkDataArray* origins, vtkDataArray* directions, vtkObject* answer);
   void Warn(vtkIdType invalid, vtkIdType rays);
 

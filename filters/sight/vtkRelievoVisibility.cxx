@@ -411,7 +411,7 @@ private:
         }
       }
     }
-    const std::vector<std::uint32_t>& points = mesh.GetPoints();
+    const vtkRelievoStoredArray<std::uint32_t>& points = mesh.GetPoints();
     this->QuickCorners.assign(this->PointsSeen.size(), -1);
     for (std::size_t i = 0; i < points.size(); ++i)
     {

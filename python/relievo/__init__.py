@@ -109,7 +109,7 @@ from ._cameras import (
     intrinsics,
     lens,
 )
-from ._capture import capture, screenshot
+from ._capture import capture, capture_many, screenshot
 from ._compare import compare, write_baseline
 from ._dataset import write_dataset
 from ._environment import environment
@@ -119,7 +119,7 @@ from ._gltf import write_gltf
 from ._image import attributes, from_image, layer, layer_names, to_image
 from ._keep import attach, detach
 from ._layers import layers
-from ._parts import Part, merge, parts, verify
+from ._parts import Part, PartStatus, merge, parts, status, verify
 from ._pick import pick
 from ._picture import picture, write_png
 from ._points import depth_to_points
@@ -146,12 +146,14 @@ __all__ = [
     "Lidar",
     "Orthographic",
     "Part",
+    "PartStatus",
     "Pinhole",
     "Pushbroom",
     "attach",
     "attributes",
     "camera",
     "capture",
+    "capture_many",
     "compare",
     "cover",
     "depth_to_points",
@@ -180,6 +182,7 @@ __all__ = [
     "show",
     "stage",
     "stages",
+    "status",
     "sun_exposure",
     "to_image",
     "verify",

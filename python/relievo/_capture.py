@@ -4,7 +4,8 @@
 
 import os
 import threading
-from contextlib import contextmanager, nullcontext
+from collections.abc import Iterable
+from contextlib import closing, contextmanager, nullcontext
 from typing import Any
 
 import numpy
@@ -16,11 +17,12 @@ from .vtk.vtkRenderingOpenGL2 import vtkTextureObject
 
 from ._arrays import why_not
 from ._cameras import CameraModel, sensor_of
-from ._errors import Watch, describe
+from ._errors import Watch, describe, is_a
 from ._frame import put, take
-from ._image import from_image
+from ._image import from_image, layer
 from ._keep import kept
 from ._picture import captured, write_png
+from ._rays import Rays, rays
 from ._renderers import renderer_of
 from ._sight import FLOW_LAYERS, NEEDS_MOMENT, Moment, layers_by_rays
 from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoLensPicture
@@ -38,7 +40,8 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
         would be shown with, unless it has been set. A renderer without a window is drawn in an
         off-screen one, and `size` is needed. Or a dataset (also composite), a filter that makes
         one, an object with a `dataset`, points of shape (n, 3), or an actor; it is drawn (data by
-        its surface), seen along -z with y up, fitted to the picture.
+        its surface), seen along -z with y up, fitted to the picture. With a CameraModel also what
+        rays() returns, for all layers but color.
     layers: names of layers, or one name; see help(relievo). Repeated names count once.
     size: (columns, rows) of the image in pixels, from 1 to 16384, or to OpenGL's limit where that
         is lower; None for the size of the renderer's viewport, (1024, 768) for data.
@@ -106,23 +109,100 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
         source.SetRenderer(renderer)
         with Watch(frame.GetLayersStage(), frame, source) as watch:
             source.Update()
-        failed = any(
-            frame.GetStage(i).GetReasonCode() in ("failed", "refused")
-            for i in range(frame.GetNumberOfStages())
-        )
-    wrong_name = not failed and source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
-    for name in drawn if wrong_name else ():
-        error = why_not(name, renderer, None)  # lists the existing arrays
-        if error:
-            hint = NEEDS_MOMENT if name in FLOW_LAYERS else ""
-            raise ValueError(f"capture: {error}{hint}")
-    watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(layers)}")
+        _check_drawn(watch, source, frame, renderer, drawn)
     image = source.GetOutput()
     if flows:
         sensor = sensor_of(renderer, image.GetDimensions()[:2])
         found = layers_by_rays(thing, flows, sensor, None, previous, opaque_only=True)
         image = _merged(layers, image, found)
     return captured(image)
+
+
+def capture_many(renderer, cameras, layers=("depth",), size=None, hdr=False) -> dict:
+    """Returns the layers that many cameras see of one scene, as numpy arrays.
+
+        poses = [relievo.camera(K=K, size=(64, 64), R=R, t=t) for R, t in found]
+        seen = relievo.capture_many(renderer, poses, ["depth", "normal"], size=(64, 64))
+        seen["depth"].shape                          # (len(poses), 64, 64)
+
+    renderer, layers, hdr: as for capture(); with CameraModels also what rays() returns.
+    cameras: vtkCameras, which take the place of the renderer's camera one after the other; or
+        CameraModels of one size, whose layers are found by rays.
+    size: (columns, rows) of each view; None for the size of the renderer's viewport, or that of the
+        CameraModels.
+
+    Returns a dict of arrays by layer, (n, rows, columns) or (n, rows, columns, components), ROW 0
+    AT THE TOP, which equal those of n calls of capture() bit for bit. The window and the scene are
+    prepared once for all views. Raises as capture(), and ValueError without cameras.
+    """
+    layers = _names(layers)
+    given, cameras = cameras, list(cameras) if isinstance(cameras, Iterable) else []
+    by_rays = bool(cameras) and all(isinstance(each, CameraModel) for each in cameras)
+    if not cameras or not (by_rays or all(is_a(each, "vtkCamera") for each in cameras)):
+        raise ValueError(f"cameras: got {describe(given)}, expected vtkCameras or CameraModels")
+    if not by_rays:
+        views = _drawn_by(renderer, cameras, layers, size, hdr)
+    elif size is not None or len({each.size for each in cameras}) != 1:
+        raise ValueError(f"size: got {size!r} and CameraModels of the sizes "
+                         f"{sorted({each.size for each in cameras})}, expected models of one size, "
+                         "which is that of the views")
+    elif "color" in layers:
+        views = (capture(renderer, layers, hdr=hdr, camera=each) for each in cameras)
+    else:
+        scene = renderer if isinstance(renderer, Rays) else rays(renderer)
+        views = (layers_by_rays(scene, layers, each) for each in cameras)
+    arrays = {}
+    with closing(views):
+        for i, image in enumerate(views):
+            for name in layers:
+                values = layer(image, name)
+                if i == 0:
+                    arrays[name] = numpy.empty((len(cameras), *values.shape), values.dtype)
+                arrays[name][i] = values
+    return arrays
+
+
+def _drawn_by(renderer, cameras, layers, size, hdr):
+    """An image for each camera, drawn in one window; each is valid until the next one."""
+    renderer, made = renderer_of(renderer)
+    size = _SIZE_OF_DATA if made and size is None else size
+    size = None if size is None else _pixels(size)
+    source = vtkRelievoLayerSource()
+    source.SetHDR(bool(hdr))
+    for name in layers:
+        source.AddLayer(name)
+    found = kept(renderer)
+    held = nullcontext() if found is None else found.held()
+    had_camera = renderer.IsActiveCameraCreated()
+    before = renderer.GetActiveCamera() if had_camera else None
+    with held, _window_of(renderer, size), _frame_of(renderer) as frame:
+        source.SetRenderer(renderer)
+        try:
+            with Watch(frame.GetLayersStage(), frame, source) as watch:
+                for camera in cameras:
+                    renderer.SetActiveCamera(camera)
+                    source.Update()
+                    _check_drawn(watch, source, frame, renderer, layers)
+                    yield source.GetOutput()
+        finally:
+            renderer.SetActiveCamera(before)
+
+
+def _check_drawn(watch, source, frame, renderer, names):
+    """Raises if the layers were not drawn."""
+    if not watch.errors and source.GetErrorCode() == 0:
+        return
+    failed = any(
+        frame.GetStage(i).GetReasonCode() in ("failed", "refused")
+        for i in range(frame.GetNumberOfStages())
+    )
+    wrong_name = not failed and source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
+    for name in names if wrong_name else ():
+        error = why_not(name, renderer, None)  # lists the existing arrays
+        if error:
+            hint = NEEDS_MOMENT if name in FLOW_LAYERS else ""
+            raise ValueError(f"capture: {error}{hint}")
+    watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(names)}")
 
 
 def _viewport_of(renderer):

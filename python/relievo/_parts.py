@@ -44,7 +44,7 @@ class Part:
 
     @property
     def directory(self) -> str:
-        """The folder of all parts, which merge(), verify() and `relievo status` take."""
+        """The folder of all parts, which merge(), verify() and status() take."""
         name = _output(self.words)
         path = pathlib.Path(self.folder, name if self.words[0] == "dataset" else f"{name}.parts")
         return str(path)
@@ -129,6 +129,48 @@ def verify(parts) -> str:
     """
     done = _run(["verify", "--", _directory(parts)], good=(0, 3))
     return done.stdout if done.returncode == 3 else ""
+
+
+@dataclasses.dataclass(frozen=True)
+class PartStatus:
+    """How far part `number` of `count` is, from status().
+
+    `done` of `all` items are complete: views of a data set, percent of other work. `rate` is the
+    number of items per second, `seconds_left` the time that the rest takes at this rate; both are
+    None as long as nothing is measured.
+    """
+
+    number: int
+    count: int
+    done: float
+    all: float
+    rate: float | None
+    seconds_left: float | None
+
+
+def status(parts) -> list[PartStatus]:
+    """Returns how far the parts of a job are, those that have begun, in their order.
+
+    parts: as for merge(). After merge() the list is empty.
+
+    Changes nothing, and may be called while parts run, on any machine that has the folder. Raises
+    ValueError for wrong arguments and for a folder that no job has begun.
+    """
+    top = pathlib.Path(_directory(parts))
+    if not any((top / name).exists() for name in ("dataset.json", "parts.json")):
+        raise ValueError(f"parts: got {str(top)!r}, expected a folder that relievo dataset, sun or "
+                         "visible has begun")
+    found = []
+    for path in sorted((top / "progress").glob("part-*.json")):
+        try:
+            said = json.loads(path.read_text("utf-8"))
+        except (FileNotFoundError, ValueError):  # removed meanwhile, by merge(), or damaged
+            continue
+        done, total, made = said["done"], said["all"], said["done"] - said["before"]
+        rate = made / said["seconds"] if made > 0 and said["seconds"] > 0 else None
+        left = 0.0 if done >= total else None if rate is None else (total - done) / rate
+        found.append(PartStatus(said["part"], said["of"], done, total, rate, left))
+    return found
 
 
 def _directory(parts):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Hits of rays as numpy arrays."""
 
+import os
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
@@ -16,12 +17,12 @@ from .vtk.vtkCommonMath import vtkMatrix4x4
 from .vtk.vtkRenderingCore import vtkRenderer
 
 from ._data import EXPECTED, data_of
-from ._errors import Watch, describe, is_a
+from ._errors import Watch, check_file, describe, is_a
 from ._renderers import inner_renderer, prop_of
 from .vtkRelievoRays import vtkRelievoRayScene
 
 Progress = Callable[[float], Any] | None
-_EXPECTED = f"a vtkRenderer, something with a .renderer, actors, {EXPECTED}"
+_EXPECTED = f"a vtkRenderer, something with a .renderer, actors, a file, {EXPECTED}"
 
 
 class Hits(NamedTuple):
@@ -61,12 +62,17 @@ class Rays:
     """A scene to trace rays in, made by rays().
 
     It follows the scene: each call uses its current state, and unchanged parts stay cached. `props`
-    lists the numbered props of hits: the renderer's actors, then the data.
+    lists the numbered props of hits: the renderer's actors, then the data; those of a file alone
+    are None.
     """
 
     def __init__(self, things: Sequence[Any]) -> None:
         self.scene = vtkRelievoRayScene()
         self._data: list[Any] = []
+        files = [each for each in things if isinstance(each, (str, os.PathLike))]
+        things = [each for each in things if not isinstance(each, (str, os.PathLike))]
+        if len(files) > 1:
+            raise ValueError(f"rays: got {len(files)} files, expected at most one")
         renderers = [each for each in map(inner_renderer, things) if each is not None]
         if len(renderers) > 1:
             raise ValueError(f"rays: got {len(renderers)} renderers, expected at most one")
@@ -82,6 +88,13 @@ class Rays:
         for thing in things:
             if inner_renderer(thing) is None and prop_of(thing) is None:
                 self._add(thing)
+        for path in map(os.fspath, files):
+            check_file(path)
+            with Watch(self.scene) as watch:
+                self.scene.Read(path)
+            watch.raise_as(ValueError, "rays")
+            if not things:
+                self._data = [None] * self.scene.GetNumberOfProps()
 
     def __repr__(self):
         return f"<relievo.Rays in {len(self.props)} props>"
@@ -130,6 +143,21 @@ class Rays:
         hits = vtkTable()
         self._ask(self.scene.FindAll, hits, origins, directions, minimum, maximum, progress)
         return _hits(hits)
+
+    def write(self, path: str | os.PathLike) -> None:
+        """Writes the scene with its trees to a file, which rays() opens without building them.
+
+        path: name of the file. An existing file is replaced when the new one is complete.
+
+        The file holds triangles and normals, about 50 bytes per triangle, in this machine's byte
+        order. Raises ValueError for a scene that rays cannot follow, OSError if the file cannot be
+        written.
+        """
+        none = numpy.empty((0, 3))
+        self.any(none, none)  # raises for such a scene
+        with Watch(self.scene) as watch:
+            self.scene.Write(os.fspath(path))
+        watch.raise_as(OSError, "rays")
 
     def _add(self, thing):
         data, matrix = thing if isinstance(thing, tuple) and len(thing) == 2 else (thing, None)
@@ -218,9 +246,16 @@ def rays(*things) -> Rays:
         hits = scene.nearest(origins, directions)        # n x 3 each
         hits.distance, hits.cell, hits.position ...      # numpy arrays, a row for each ray
         dark = scene.any(hits.position, to_sun, minimum=1e-6)
+        scene.write("city.rays")                         # for other processes:
+        scene = relievo.rays("city.rays")
 
-    Returns Rays. Raises ValueError for wrong arguments. A renderer's props that rays do not support
-    (volumes, lines, points, wireframes, cut-outs) are left out with a warning.
+        A file of Rays.write() is not read but mapped into memory, which all processes share. With
+        other things beside it, it must have been written of the same points, cells and matrices;
+        without them, hits have numbers of props, cells and points, but `props` are None.
+
+    Returns Rays. Raises ValueError for wrong arguments, also for a file that is damaged or of
+    another scene, and OSError for a file that cannot be opened. A renderer's props that rays do not
+    support (volumes, lines, points, wireframes, cut-outs) are left out with a warning.
     """
     if not things:
         raise ValueError(f"rays: got nothing, expected {_EXPECTED}")

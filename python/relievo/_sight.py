@@ -17,7 +17,7 @@ from ._cameras import CameraModel, sensor_of
 from ._data import need_data
 from ._errors import Watch, describe, is_a
 from ._parameters import bind, defaults_of, describe_all, keywords, keywords_of, set_value
-from ._rays import rays
+from ._rays import Rays, rays
 from ._renderers import inner_renderer, outwards, prop_of
 from .vtkRelievoFilters import (
     vtkRelievoCover,
@@ -36,7 +36,7 @@ NEEDS_MOMENT = "; this layer needs previous=, from moment()"
 def layers_by_rays(thing, names, sensor, ambient=None, previous=None, opaque_only=False):
     """The image of layers seen by a CameraModel; see capture(). opaque_only: only the surfaces that
     layers of a frame include."""
-    scene = rays(thing).scene
+    scene = (thing if isinstance(thing, Rays) else rays(thing)).scene
     scene.SetOpaqueOnly(opaque_only)
     source = vtkRelievoRayLayers()
     if previous is not None:

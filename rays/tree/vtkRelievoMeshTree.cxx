@@ -5,8 +5,10 @@
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoRayFile.h"
 #include "vtkRelievoThreads.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -19,6 +21,25 @@ constexpr double NoBound = std::numeric_limits<double>::infinity();
 bool HasPlace(const glm::dvec3& p)
 {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+// What identifies the state of a mesh.
+std::vector<vtkMTimeType> GetTimes(vtkPolyData* data)
+{
+  return { data->GetPoints() ? data->GetPoints()->GetMTime() : 0, data->GetPolys()->GetMTime(),
+    data->GetStrips()->GetMTime(),
+    static_cast<vtkMTimeType>(data->GetNumberOfVerts() + data->GetNumberOfLines()),
+    static_cast<vtkMTimeType>(data->GetNumberOfPoints()) };
+}
+
+vtkIdType GetLargest(const vtkRelievoStoredArray<std::uint32_t>& values)
+{
+  std::uint32_t largest = 0;
+  for (const std::uint32_t value : values)
+  {
+    largest = std::max(largest, value);
+  }
+  return values.empty() ? -1 : static_cast<vtkIdType>(largest);
 }
 
 // Hash of the polygons' triangulation, if it may change with moving points.
@@ -47,61 +68,62 @@ std::uint64_t NumberCuts(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule)
 //------------------------------------------------------------------------------
 std::size_t vtkRelievoMeshTree::GetBytes() const
 {
-  return this->Places.capacity() * sizeof(glm::dvec3) +
-    (this->Points.capacity() + this->Corners.capacity() + this->Cells.capacity()) *
-    sizeof(std::uint32_t) +
-    this->Tree.GetBytes();
+  return this->Places.GetBytes() + this->Points.GetBytes() + this->Corners.GetBytes() +
+    this->Cells.GetBytes() + this->Tree.GetBytes();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoMeshTree::TakePlaces(vtkPolyData* data)
 {
-  this->Places.resize(this->Points.size());
-  this->Places.shrink_to_fit();
+  std::vector<glm::dvec3> places = this->Places.Release();
+  places.resize(this->Points.size());
+  places.shrink_to_fit();
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
-    data->GetPoint(static_cast<vtkIdType>(this->Points[i]), &this->Places[i].x);
+    data->GetPoint(static_cast<vtkIdType>(this->Points[i]), &places[i].x);
   }
   this->Low = glm::dvec3(NoBound);
   this->High = glm::dvec3(-NoBound);
   for (std::size_t i = 0; i < this->Corners.size(); i += 3)
   {
-    const glm::dvec3& a = this->Places[this->Corners[i]];
-    const glm::dvec3& b = this->Places[this->Corners[i + 1]];
-    const glm::dvec3& c = this->Places[this->Corners[i + 2]];
+    const glm::dvec3& a = places[this->Corners[i]];
+    const glm::dvec3& b = places[this->Corners[i + 1]];
+    const glm::dvec3& c = places[this->Corners[i + 2]];
     if (HasPlace(a) && HasPlace(b) && HasPlace(c))
     {
       this->Low = glm::min(this->Low, glm::min(glm::min(a, b), c));
       this->High = glm::max(this->High, glm::max(glm::max(a, b), c));
     }
   }
-  if (this->IsEmpty())
+  if (!this->IsEmpty())
   {
-    return;
+    this->Origin = 0.5 * this->Low + 0.5 * this->High;
+    this->Low -= this->Origin;
+    this->High -= this->Origin;
+    for (glm::dvec3& p : places)
+    {
+      p -= this->Origin;
+    }
+    const double reach = std::max({ this->High.x, this->High.y, this->High.z });
+    this->Scale = reach > 1e-290 ? 1.0 / reach : 1.0;
   }
-  this->Origin = 0.5 * this->Low + 0.5 * this->High;
-  this->Low -= this->Origin;
-  this->High -= this->Origin;
-  for (glm::dvec3& p : this->Places)
-  {
-    p -= this->Origin;
-  }
-  const double reach = std::max({ this->High.x, this->High.y, this->High.z });
-  this->Scale = reach > 1e-290 ? 1.0 / reach : 1.0;
+  this->Places.Set(std::move(places));
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoMeshTree::TakeTriangles(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule)
 {
-  this->Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  std::iota(this->Points.begin(), this->Points.end(), std::uint32_t(0));
-  this->Corners.clear();
-  this->Cells.clear();
+  std::vector<std::uint32_t> all(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  std::iota(all.begin(), all.end(), std::uint32_t(0));
+  std::vector<std::uint32_t> corners = this->Corners.Release();
+  std::vector<std::uint32_t> cells = this->Cells.Release();
+  corners.clear();
+  cells.clear();
   this->CellOffset = data->GetNumberOfVerts() + data->GetNumberOfLines();
   const vtkIdType points = data->GetNumberOfPoints();
   const std::size_t polygons = static_cast<std::size_t>(data->GetNumberOfPolys());
-  this->Corners.reserve(3 * polygons);
-  this->Cells.reserve(polygons);
+  corners.reserve(3 * polygons);
+  cells.reserve(polygons);
   vtkRelievoPolygonCut::ForEachTriangle(
     data,
     [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
@@ -111,11 +133,14 @@ void vtkRelievoMeshTree::TakeTriangles(vtkPolyData* data, vtkRelievoPolygonCut::
       }
       for (const vtkIdType id : { a, b, c })
       {
-        this->Corners.push_back(static_cast<std::uint32_t>(id));
+        corners.push_back(static_cast<std::uint32_t>(id));
       }
-      this->Cells.push_back(static_cast<std::uint32_t>(cell));
+      cells.push_back(static_cast<std::uint32_t>(cell));
     },
     rule);
+  this->Points.Set(std::move(all));
+  this->Corners.Set(std::move(corners));
+  this->Cells.Set(std::move(cells));
 }
 
 //------------------------------------------------------------------------------
@@ -142,7 +167,7 @@ std::vector<vtkRelievoBoxTree::Box> vtkRelievoMeshTree::GetBoxes() const
 //------------------------------------------------------------------------------
 // Reorders the values by the leaves, `size` values each.
 template <typename Value>
-void vtkRelievoMeshTree::Sort(std::vector<Value>& values, std::size_t size) const
+void vtkRelievoMeshTree::Sort(vtkRelievoStoredArray<Value>& values, std::size_t size) const
 {
   std::vector<Value> sorted;
   sorted.reserve(values.size());
@@ -151,7 +176,7 @@ void vtkRelievoMeshTree::Sort(std::vector<Value>& values, std::size_t size) cons
     const auto from = values.begin() + static_cast<std::ptrdiff_t>(size * triangle);
     sorted.insert(sorted.end(), from, from + static_cast<std::ptrdiff_t>(size));
   }
-  values.swap(sorted);
+  values.Set(std::move(sorted));
 }
 
 //------------------------------------------------------------------------------
@@ -161,7 +186,8 @@ void vtkRelievoMeshTree::SortPoints()
   std::vector<std::uint32_t> sorted(this->Points.size(), None);
   std::vector<std::uint32_t> points;
   std::vector<glm::dvec3> places;
-  for (std::uint32_t& corner : this->Corners)
+  std::vector<std::uint32_t> corners = this->Corners.Release();
+  for (std::uint32_t& corner : corners)
   {
     if (sorted[corner] == None)
     {
@@ -173,17 +199,15 @@ void vtkRelievoMeshTree::SortPoints()
   }
   points.shrink_to_fit();
   places.shrink_to_fit();
-  this->Points.swap(points);
-  this->Places.swap(places);
+  this->Corners.Set(std::move(corners));
+  this->Points.Set(std::move(points));
+  this->Places.Set(std::move(places));
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoMeshTree::Update(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule)
 {
-  const std::vector<vtkMTimeType> times = { data->GetPoints() ? data->GetPoints()->GetMTime() : 0,
-    data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime(),
-    static_cast<vtkMTimeType>(data->GetNumberOfVerts() + data->GetNumberOfLines()),
-    static_cast<vtkMTimeType>(data->GetNumberOfPoints()) };
+  const std::vector<vtkMTimeType> times = GetTimes(data);
   if (this->Times == times)
   {
     return false;
@@ -211,4 +235,62 @@ bool vtkRelievoMeshTree::Update(vtkPolyData* data, vtkRelievoPolygonCut::Rule ru
     this->Tree.TakeOrderForGiven();
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMeshTree::Write(vtkRelievoRayFileWriter& file) const
+{
+  const std::vector<double> numbers = { this->Origin.x, this->Origin.y, this->Origin.z, this->Low.x,
+    this->Low.y, this->Low.z, this->High.x, this->High.y, this->High.z, this->Scale };
+  const std::int64_t offset = this->CellOffset;
+  file.Put(numbers);
+  file.Put(&offset, 1);
+  file.Put(this->Points);
+  file.Put(this->Places);
+  file.Put(this->Corners);
+  file.Put(this->Cells);
+  this->Tree.Write(file);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoMeshTree::Read(vtkRelievoRayFileReader& file)
+{
+  std::vector<double> numbers;
+  std::vector<std::int64_t> offset;
+  if (!file.Take(numbers) || numbers.size() != 10 || !file.Take(offset) || offset.size() != 1 ||
+    offset[0] < 0 || !file.Take(this->Points) || !file.Take(this->Places) ||
+    !file.Take(this->Corners) || !file.Take(this->Cells))
+  {
+    return false;
+  }
+  this->Origin = { numbers[0], numbers[1], numbers[2] };
+  this->Low = { numbers[3], numbers[4], numbers[5] };
+  this->High = { numbers[6], numbers[7], numbers[8] };
+  this->Scale = numbers[9];
+  this->CellOffset = static_cast<vtkIdType>(offset[0]);
+  return this->Scale > 0.0 && this->Points.size() == this->Places.size() &&
+    this->Cells.size() <= static_cast<std::size_t>(VTK_INT_MAX) &&
+    this->Corners.size() == 3 * this->Cells.size() &&
+    GetLargest(this->Corners) < static_cast<vtkIdType>(this->Places.size()) &&
+    this->Tree.Read(file, this->Cells.size());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMeshTree::SetMesh(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule)
+{
+  this->Times = GetTimes(data);
+  this->Cuts = NumberCuts(data, rule);
+  this->Refitted = false;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoMeshTree::GetLastCell() const
+{
+  return this->Cells.empty() ? -1 : this->CellOffset + GetLargest(this->Cells);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoMeshTree::GetLastPoint() const
+{
+  return GetLargest(this->Points);
 }

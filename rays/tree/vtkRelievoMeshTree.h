@@ -9,6 +9,7 @@
 #include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRay.h"
 #include "vtkRelievoRaysModule.h" // for the export macro
+#include "vtkRelievoStoredArray.h"
 #include "vtkRelievoWideTree.h"
 #include "vtkType.h"
 
@@ -16,6 +17,8 @@
 #include <vector>
 
 class vtkPolyData;
+class vtkRelievoRayFileReader;
+class vtkRelievoRayFileWriter;
 
 class VTKRELIEVORAYS_EXPORT vtkRelievoMeshTree
 {
@@ -39,8 +42,8 @@ public:
   }
   // All corners of triangles, once each, about the origin; and their indices in the mesh's points;
   // in the order of first use by triangles.
-  const std::vector<glm::dvec3>& GetPlaces() const { return this->Places; }
-  const std::vector<std::uint32_t>& GetPoints() const { return this->Points; }
+  const vtkRelievoStoredArray<glm::dvec3>& GetPlaces() const { return this->Places; }
+  const vtkRelievoStoredArray<std::uint32_t>& GetPoints() const { return this->Points; }
   // Three indices into the corners, for a triangle.
   const std::uint32_t* GetCorners(int triangle) const
   {
@@ -60,6 +63,15 @@ public:
 
   std::size_t GetBytes() const;
 
+  void Write(vtkRelievoRayFileWriter& file) const;
+  // Reads what Write has written, which stays in the file's memory. False if no such tree is there.
+  bool Read(vtkRelievoRayFileReader& file);
+  // The tree read is that of this mesh as it is now.
+  void SetMesh(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule);
+  // The largest indices of triangles in the mesh; -1: there are no triangles.
+  vtkIdType GetLastCell() const;
+  vtkIdType GetLastPoint() const;
+
   // Calls visit(triangle, t) for every hit in the range; `visit` returns the t up to which further
   // hits matter. Roughly from near to far. The ray is about the origin.
   template <typename Visit>
@@ -73,7 +85,7 @@ private:
   void SortPoints();
   std::vector<vtkRelievoBoxTree::Box> GetBoxes() const;
   template <typename Value>
-  void Sort(std::vector<Value>& values, std::size_t size) const;
+  void Sort(vtkRelievoStoredArray<Value>& values, std::size_t size) const;
 
   std::vector<vtkMTimeType> Times; // of points, polygons and strips
   std::uint64_t Cuts = 0;          // hash of the triangulation that depends on points
@@ -82,11 +94,11 @@ private:
   glm::dvec3 High{ -1.0 };
   double Scale = 1.0; // from the mesh's to the tree's coordinates
   // Points of triangles, in the order of their use by leaves, so that a leaf's points lie together.
-  std::vector<std::uint32_t> Points; // indices in the mesh
-  std::vector<glm::dvec3> Places;
-  std::vector<std::uint32_t> Corners; // three indices into Points per triangle
-  std::vector<std::uint32_t> Cells;   // polygons, and then strips
-  vtkIdType CellOffset = 0;           // of the first polygon
+  vtkRelievoStoredArray<std::uint32_t> Points; // indices in the mesh
+  vtkRelievoStoredArray<glm::dvec3> Places;
+  vtkRelievoStoredArray<std::uint32_t> Corners; // three indices into Points per triangle
+  vtkRelievoStoredArray<std::uint32_t> Cells;   // polygons, and then strips
+  vtkIdType CellOffset = 0;                     // of the first polygon
   vtkRelievoWideTree Tree;
   bool Refitted = false;
 };

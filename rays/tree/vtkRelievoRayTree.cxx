@@ -15,6 +15,11 @@ constexpr int Turns = 8; // rays that take turns
 // Least size of a mesh for turns: caches hold smaller ones.
 constexpr std::size_t LeastBytesForTurns = std::size_t(1) << 19;
 
+vtkRelievoPolygonCut::Rule GetRule(bool byOutline)
+{
+  return byOutline ? vtkRelievoPolygonCut::Rule::ByOutline : vtkRelievoPolygonCut::Rule::AsDrawn;
+}
+
 bool IsSamePlace(const vtkRelievoPlacedMesh& a, const vtkRelievoPlacedMesh& b)
 {
   return a.Mesh == b.Mesh && a.MeshToWorld == b.MeshToWorld && a.Places == b.Places &&
@@ -41,13 +46,25 @@ bool vtkRelievoRayTree::UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& me
     cached = old != before.end() && old->second.Data == mesh.Mesh
       ? old->second
       : Cached{ mesh.Mesh, std::make_shared<vtkRelievoMeshTree>() };
-    using Rule = vtkRelievoPolygonCut::Rule;
-    if (cached.Triangles->Update(mesh.Mesh, mesh.ByOutline ? Rule::ByOutline : Rule::AsDrawn))
+    if (cached.Triangles->Update(mesh.Mesh, GetRule(mesh.ByOutline)))
     {
       ++(cached.Triangles->WasRefitted() ? this->MeshesRefitted : this->MeshesBuilt);
     }
   }
   return this->MeshesBuilt + this->MeshesRefitted > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayTree::SetMeshTree(
+  vtkPolyData* mesh, bool byOutline, const std::shared_ptr<vtkRelievoMeshTree>& triangles)
+{
+  Cached& cached = this->Trees[{ mesh, byOutline }];
+  if (cached.Data != mesh || cached.Triangles != triangles)
+  {
+    triangles->SetMesh(mesh, GetRule(byOutline));
+    cached = { mesh, triangles };
+    this->Meshes.clear(); // places refer to the former trees
+  }
 }
 
 //------------------------------------------------------------------------------

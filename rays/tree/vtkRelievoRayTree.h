@@ -42,6 +42,10 @@ public:
   // changed. The meshes must exist as long as rays are traced.
   bool SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes);
 
+  // Gives the tree of a mesh as it is now, which the next SetMeshes uses instead of building it.
+  void SetMeshTree(
+    vtkPolyData* mesh, bool byOutline, const std::shared_ptr<vtkRelievoMeshTree>& triangles);
+
   // In the last SetMeshes: meshes whose trees were built, and meshes whose trees were refitted to
   // moved points.
   int GetMeshesBuilt() const { return this->MeshesBuilt; }
@@ -57,6 +61,11 @@ public:
   int GetMesh(int place) const { return this->Places[place].Mesh; }
   int GetInstance(int place) const { return this->Places[place].Instance; }
   const vtkRelievoMeshTree& GetMeshTree(int place) const { return *this->Places[place].Triangles; }
+  // The tree of one of the meshes of the last SetMeshes.
+  const vtkRelievoMeshTree& GetMeshTree(vtkPolyData* mesh, bool byOutline) const
+  {
+    return *this->Trees.at({ mesh, byOutline }).Triangles;
+  }
   const glm::dmat4& GetToMesh(int place) const { return this->Places[place].ToMesh; }
   glm::dmat4 GetToScene(int place) const { return this->GetToScene(this->Places[place]); }
 

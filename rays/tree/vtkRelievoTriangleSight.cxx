@@ -232,7 +232,7 @@ void vtkRelievoTriangleSight::Project(int number, const View& view)
     (glm::dvec3(mesh.ToScene[3]) - view.From);
   const glm::dvec2 center = 0.5 * (view.Low + view.High);
   const glm::dvec2 scale = 2.0 / (view.High - view.Low);
-  const std::vector<glm::dvec3>& places = mesh.Mesh->GetPlaces();
+  const vtkRelievoStoredArray<glm::dvec3>& places = mesh.Mesh->GetPlaces();
   const auto project = [&](vtkIdType from, vtkIdType to) {
     for (vtkIdType i = from; i < to; ++i)
     {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoWideTree.h"
 
+#include "vtkRelievoRayFile.h"
+
 #include <limits>
 
 namespace
@@ -59,7 +61,8 @@ vtkRelievoWideTree::Box vtkRelievoWideTree::Nowhere()
 //------------------------------------------------------------------------------
 void vtkRelievoWideTree::Build(const std::vector<Box>& boxes, int leafSize)
 {
-  this->Nodes.clear();
+  std::vector<Node> nodes = this->Nodes.Release();
+  nodes.clear();
   this->Stack = 0;
   vtkRelievoBoxTree tree;
   tree.Build(boxes, leafSize);
@@ -81,10 +84,10 @@ void vtkRelievoWideTree::Build(const std::vector<Box>& boxes, int leafSize)
   {
     const Task task = open.back();
     open.pop_back();
-    const int index = static_cast<int>(this->Nodes.size());
+    const int index = static_cast<int>(nodes.size());
     if (task.From >= 0)
     {
-      this->Nodes[task.From].Child[task.Child] = index;
+      nodes[task.From].Child[task.Child] = index;
     }
     this->Stack = std::max(this->Stack, (Width - 1) * task.Depth + Width);
     int children[Width] = { task.Pair };
@@ -124,9 +127,10 @@ void vtkRelievoWideTree::Build(const std::vector<Box>& boxes, int leafSize)
     {
       node.Child[i] = 0; // no box: never hit
     }
-    this->Nodes.push_back(node);
+    nodes.push_back(node);
   }
-  this->Nodes.shrink_to_fit();
+  nodes.shrink_to_fit();
+  this->Nodes.Set(std::move(nodes));
   this->Fit(boxes);
   this->CostWhenBuilt = this->Cost;
 }
@@ -142,11 +146,12 @@ bool vtkRelievoWideTree::Refit(const std::vector<Box>& boxes)
 // Nodes come after their parents.
 void vtkRelievoWideTree::Fit(const std::vector<Box>& boxes)
 {
-  std::vector<Box> whole(this->Nodes.size());
+  std::vector<Node> nodes = this->Nodes.Release();
+  std::vector<Box> whole(nodes.size());
   double sum = 0.0;
-  for (std::size_t n = this->Nodes.size(); n-- > 0;)
+  for (std::size_t n = nodes.size(); n-- > 0;)
   {
-    Node& node = this->Nodes[n];
+    Node& node = nodes[n];
     whole[n] = Nowhere();
     for (int i = 0; i < Width; ++i)
     {
@@ -172,6 +177,73 @@ void vtkRelievoWideTree::Fit(const std::vector<Box>& boxes)
       sum += node.Child[i] == 0 ? 0.0 : GetHalfArea(box);
     }
   }
-  const double root = this->Nodes.empty() ? 0.0 : GetHalfArea(whole[0]);
+  const double root = nodes.empty() ? 0.0 : GetHalfArea(whole[0]);
+  this->Nodes.Set(std::move(nodes));
   this->Cost = root > 0.0 ? sum / root : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoWideTree::Write(vtkRelievoRayFileWriter& file) const
+{
+  file.Put(&this->CostWhenBuilt, 1);
+  file.Put(this->Nodes);
+}
+
+//------------------------------------------------------------------------------
+// Each node but the first has one parent, before it, so that traversals end.
+bool vtkRelievoWideTree::Read(vtkRelievoRayFileReader& file, std::size_t boxes)
+{
+  std::vector<double> cost;
+  if (!file.Take(cost) || cost.size() != 1 || !file.Take(this->Nodes))
+  {
+    return false;
+  }
+  this->CostWhenBuilt = cost[0];
+  this->Order.clear();
+  this->Stack = 0;
+  const std::size_t count = this->Nodes.size();
+  std::vector<std::uint16_t> depths(count, 0); // 0: no parent yet
+  const Box nowhere = Nowhere();
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    depths[n] = n == 0 ? 1 : depths[n];
+    if (depths[n] == 0 || depths[n] == std::numeric_limits<std::uint16_t>::max())
+    {
+      return false;
+    }
+    this->Stack = std::max(this->Stack, (Width - 1) * depths[n] + Width);
+    const Node& node = this->Nodes[n];
+    for (int i = 0; i < Width; ++i)
+    {
+      const int child = node.Child[i];
+      if (child == 0) // none: a ray that hit its box would return to the first node
+      {
+        for (int side = 0; side < 6; ++side)
+        {
+          if (node.Sides[side][i] != (side < 3 ? nowhere.Min.x : nowhere.Max.x))
+          {
+            return false;
+          }
+        }
+      }
+      else if (child > 0)
+      {
+        const auto next = static_cast<std::size_t>(child);
+        if (next <= n || next >= count || depths[next] != 0)
+        {
+          return false;
+        }
+        depths[next] = static_cast<std::uint16_t>(depths[n] + 1);
+      }
+      else
+      {
+        const int leaf = -1 - child;
+        if (static_cast<std::size_t>(leaf / Most + leaf % Most) >= boxes)
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return (count == 0) == (boxes == 0);
 }

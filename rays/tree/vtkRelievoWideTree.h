@@ -12,11 +12,15 @@
 #include "vtkRelievoBoxTree.h"
 #include "vtkRelievoFour.h"
 #include "vtkRelievoRaysModule.h" // for the export macro
+#include "vtkRelievoStoredArray.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
+
+class vtkRelievoRayFileReader;
+class vtkRelievoRayFileWriter;
 
 class VTKRELIEVORAYS_EXPORT vtkRelievoWideTree
 {
@@ -49,8 +53,12 @@ public:
 
   std::size_t GetBytes() const
   {
-    return this->Nodes.capacity() * sizeof(Node) + this->Order.capacity() * sizeof(int);
+    return this->Nodes.GetBytes() + this->Order.capacity() * sizeof(int);
   }
+
+  void Write(vtkRelievoRayFileWriter& file) const;
+  // Reads a tree over so many boxes, given in the order of the leaves. False if none is there.
+  bool Read(vtkRelievoRayFileReader& file, std::size_t boxes);
 
   // Whether rays use AVX2: by default where the processor has it. Results are the same.
   static bool UsesAvx2() { return vtkRelievoWideTree::Avx2; }
@@ -165,7 +173,7 @@ private:
   void Fit(const std::vector<Box>& boxes);
 
   static bool Avx2;
-  std::vector<Node> Nodes;
+  vtkRelievoStoredArray<Node> Nodes;
   std::vector<int> Order;
   int Stack = 0; // largest size of the traversal's stack
   double Cost = 0.0;

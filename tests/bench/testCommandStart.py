@@ -85,6 +85,18 @@ class Cost(unittest.TestCase):
             processes.run([sys.executable, "-c", "1 / 0"])
 
 
+class ScalingOut(unittest.TestCase):
+    def test_small_tables(self):
+        script = BENCH / "scaling_out.py"
+        done = subprocess.run([sys.executable, script, "--small", "--rounds", "1"],
+                              stdout=subprocess.PIPE, text=True, check=True)  # fmt: skip
+        rows = list(csv.DictReader(done.stdout.splitlines()))
+        self.assertEqual([row["subject"] for row in rows],
+                         ["start"] * 3 + ["view"] * 4 + ["cover"])  # fmt: skip
+        self.assertTrue(all(float(row["processor seconds"]) > 0 for row in rows))
+        self.assertAlmostEqual(float(rows[1]["bytes"]), 48, delta=3)  # of 12 + 4 + 12 + 2 + a node
+
+
 class Scale(unittest.TestCase):
     def measure(self, *words):
         with tempfile.TemporaryDirectory() as folder:

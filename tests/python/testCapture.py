@@ -15,6 +15,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkCamera,
     vtkLight,
     vtkPointGaussianMapper,
     vtkPolyDataMapper,
@@ -465,6 +466,46 @@ class Errors(unittest.TestCase):
             with self.subTest(says=says), self.assertRaises(ValueError) as caught:
                 relievo.capture(*arguments)
             self.assertIn(says, str(caught.exception))
+
+    def test_many_cameras(self):
+        before = self.renderer.GetActiveCamera()
+        cameras = []
+        for azimuth in range(5):
+            camera = vtkCamera()
+            camera.DeepCopy(before)
+            camera.Azimuth(50 * azimuth)
+            camera.SetParallelProjection(azimuth == 2)
+            cameras.append(camera)
+        layers = ["depth", "normal", "color", "position", "cell"]
+        seen = relievo.capture_many(self.renderer, iter(cameras), layers, size=(30, 20))
+        self.assertIs(self.renderer.GetActiveCamera(), before)
+        self.assertIsNone(self.renderer.GetPass())
+        self.assertIsNone(self.renderer.GetRenderWindow())
+        self.assertEqual(list(seen), layers)
+        for i, camera in enumerate(cameras):
+            self.renderer.SetActiveCamera(camera)
+            image = relievo.capture(self.renderer, layers, size=(30, 20))
+            for name in layers:
+                numpy.testing.assert_array_equal(seen[name][i], relievo.layer(image, name), name)
+        self.assertEqual((seen["cell"].shape, seen["color"].shape), ((5, 20, 30), (5, 20, 30, 4)))
+        self.assertGreater(len({view.tobytes() for view in seen["depth"]}), 3)
+        with self.assertRaisesRegex(ValueError, "'detph'"):
+            relievo.capture_many(self.renderer, cameras, "detph", size=(8, 8))
+        self.assertIs(self.renderer.GetActiveCamera(), cameras[-1])
+        sensors = [relievo.lens("fisheye", (24, 16)), relievo.lens("fisheye", (16, 16))]
+        pictures = relievo.capture_many(self.renderer, sensors[:1], ["color", "depth"])
+        image = relievo.capture(self.renderer, ["color", "depth"], camera=sensors[0])
+        for name, views in pictures.items():
+            numpy.testing.assert_array_equal(views[0], relievo.layer(image, name), name)
+        for says, *wrong in (
+            ("cameras: got \\[\\]", []),
+            ("cameras: got None", None),
+            ("cameras: got", [cameras[0], sensors[0]]),
+            ("expected models of one size", sensors),
+            ("expected models of one size", sensors[:1], "depth", (24, 16)),
+        ):
+            with self.subTest(says), self.assertRaisesRegex(ValueError, says):
+                relievo.capture_many(self.renderer, *wrong)
 
     def test_unknown_layer(self):
         with self.assertRaises(ValueError) as caught:

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Points from depth; rays as arrays, compared with captures; errors as exceptions."""
 
+import pathlib
+import tempfile
 import unittest
 
 import numpy
@@ -137,6 +139,38 @@ class Rays(unittest.TestCase):
         with self.assertRaises(ZeroDivisionError):
             rays.all(many, -many, progress=lambda share: 1 / 0)
 
+    def test_files_of_rays(self):
+        source = vtkSphereSource()
+        renderer = vtkRenderer()
+        scenes.add(renderer, source)
+        origins = numpy.random.default_rng(5).uniform(-1, 1, (500, 3))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "scene.rays")
+            rays = relievo.rays(renderer)
+            rays.write(path)
+            hits = rays.nearest(origins, -origins)
+            for found in (relievo.rays(path), relievo.rays(path, renderer)):
+                for name, values in found.nearest(origins, -origins)._asdict().items():
+                    numpy.testing.assert_array_equal(values, getattr(hits, name), name)
+            self.assertEqual(relievo.rays(str(path)).props, [None])
+            sensor = relievo.Pinhole([[90, 0, 31.5], [0, 90, 23.5], [0, 0, 1]], (64, 48),
+                                     t=(0, 0, 2))  # fmt: skip
+            layers = ["depth", "cell"]
+            drawn = relievo.capture(renderer, layers, camera=sensor)
+            seen = relievo.capture_many(relievo.rays(path), [sensor] * 2, layers)
+            for name in layers:
+                numpy.testing.assert_array_equal(seen[name][1], relievo.layer(drawn, name))
+            with self.assertRaisesRegex(ValueError, "of another scene"):
+                relievo.rays(path, source)  # data, not the renderer
+            source.SetRadius(2)
+            with self.assertRaisesRegex(ValueError, "of another scene"):
+                relievo.rays(path, renderer)
+            path.write_bytes(path.read_bytes()[:-1])
+            with self.assertRaisesRegex(ValueError, "is damaged"):
+                relievo.rays(path)
+            with self.assertRaisesRegex(OSError, "No such file or directory"):
+                rays.write(pathlib.Path(folder, "none", "scene.rays"))
+
     def test_refusals(self):
         rays = relievo.rays(vtkSphereSource())
         for words, wrong in (
@@ -150,13 +184,18 @@ class Rays(unittest.TestCase):
                 rays.nearest(*wrong)
         for words, things in (
             ("got nothing", ()),
-            ("got 'mesh'", ("mesh",)),
+            ("got 3", (3,)),
+            ("got 2 files", ("a.rays", "b.rays")),
             ("got 2 renderers", (vtkRenderer(), vtkRenderer())),
             ("shape \\(3, 3\\), expected \\(4, 4\\)", ((vtkPolyData(), numpy.eye(3)),)),
         ):
             with self.assertRaisesRegex(ValueError, words):
                 relievo.rays(*things)
+        with self.assertRaises(FileNotFoundError):
+            relievo.rays("none.rays")
         nowhere = relievo.rays((vtkSphereSource(), numpy.diag([1.0, 1, 1, 0])))
+        with self.assertRaisesRegex(ValueError, "got a matrix that is not finite"):
+            nowhere.write("none.rays")
         with self.assertRaisesRegex(ValueError, "^rays: (?!Rays).*got a matrix that is not finite"):
             nowhere.any([0, 0, 0], [0, 0, 1])
 

@@ -1629,12 +1629,22 @@ class Parts(unittest.TestCase):
             self.assertEqual(sorted(pathlib.Path(path).name for path in first()),
                              ["mesh.vtp", "part-000001.bin", "part-000001.json"])  # fmt: skip
             self.assertIn("2 missing: 2, 3", relievo.verify(parts))
+            (state,) = relievo.status(parts)
+            self.assertEqual((state.number, state.count), (1, 3))
+            self.assertEqual((state.done, state.all, state.seconds_left), (100, 100, 0))
+            second = pathlib.Path(parts[0].directory, "progress", "part-000002.json")
+            second.write_text('{"part": 2, "of": 3, "items": "%", "done": 40, "all": 100, '
+                              '"before": 10, "seconds": 6}')  # fmt: skip
+            state = relievo.status(parts[0].directory)[1]
+            self.assertEqual((state.number, state.rate, state.seconds_left), (2, 5, 12))
+            with self.assertRaisesRegex(ValueError, "has begun"):
+                relievo.status(folder)
             with self.assertRaisesRegex(RuntimeError, "1 of 3 parts complete"):
                 relievo.merge(parts)
             with concurrent.futures.ThreadPoolExecutor(2) as pool:
                 list(pool.map(relievo.Part.__call__, parts))
             self.assertEqual(relievo.merge(parts), str(shared))
-            self.assertEqual(relievo.verify(parts), "")
+            self.assertEqual((relievo.verify(parts), relievo.status(parts)), ("", []))
             self.assertEqual(shared.read_bytes(), whole.read_bytes())
             with self.assertRaisesRegex(ValueError, "--place"):
                 relievo.parts(["sun", str(ground), "-o", "none.vtp"], 2)[0]()

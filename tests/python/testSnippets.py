@@ -174,7 +174,8 @@ class Hand:
                 names=["thing"] * names["renderer"].GetActors().GetNumberOfItems())
         elif self.page == "docs/rays.md":
             directions = numpy.array([(0, 0, -1.0), (0.1, 0, -1)])
-            names.update(origins=(0, 0, 5), directions=directions, to_sun=(0, 0, 1))
+            names.update(origins=(0, 0, 5), directions=directions, to_sun=(0, 0, 1),
+                         city=names["model"], sensor=relievo.lens("fisheye", (16, 12)))
         elif self.page == "docs/environment.md":
             names["given"] = relievo.to_image(numpy.ones((16, 32, 3), numpy.float32))
         elif self.page == "docs/materials.md":

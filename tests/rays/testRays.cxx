@@ -153,7 +153,7 @@ bool IsSame(vtkTable* a, vtkTable* b)
 }
 
 // All three answers for all rays, against the truth, to so much of the scene's size, and bit for
-// bit against those without AVX2.
+// bit against those without AVX2, and those of a file.
 void Compare(vtkRelievoRayScene* scene, const BruteRays& truth, const Rays& rays,
   const std::string& what, double low = 0., double high = 1e300, double most = 1e-12)
 {
@@ -178,6 +178,17 @@ void Compare(vtkRelievoRayScene* scene, const BruteRays& truth, const Rays& rays
   RELIEVO_CHECK_THAT(
     IsSame(nearest, plainNearest) && IsSame(all, plainAll) && IsSame(any, plainAny),
     what + ", other answers without AVX2");
+  vtkNew<vtkRelievoRayScene> stored;
+  stored->SetMinimumDistance(low);
+  stored->SetMaximumDistance(high);
+  RELIEVO_CHECK_THAT(scene->Write("scene.rays") && stored->Read("scene.rays") &&
+      stored->FindNearest(rays.Origins, rays.Directions, plainNearest) &&
+      stored->FindAll(rays.Origins, rays.Directions, plainAll) &&
+      stored->FindAny(rays.Origins, rays.Directions, plainAny),
+    what + ", of a file");
+  RELIEVO_CHECK_THAT(
+    IsSame(nearest, plainNearest) && IsSame(all, plainAll) && IsSame(any, plainAny),
+    what + ", other answers of a file");
   const double size = glm::length(truth.GetHigh() - truth.GetLow());
   vtkIdType row = 0;
   int unsure = 0;

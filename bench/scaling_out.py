@@ -1,0 +1,199 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cost of files of ray trees, of many views of one scene, and of choosing camera places.
+
+    python bench/scaling_out.py [--small] [--rounds N] >scaling-out.csv
+
+Needs the package relievo in PYTHONPATH, numpy, and a display (tools/with-display). Rows:
+
+- start: a ray tree of a bumpy ring, built from the mesh, or opened from its file, alone or with the
+  mesh, for one process; `bytes` per triangle of the file. The column `MiB` has the proportional set
+  size of each of eight processes that hold the file, less that without it (Linux).
+- view: depth of a sphere in 64 x 64 pixels, by calls of capture(), one for each view, or by
+  capture_many(), drawn, or by rays with a Pinhole; per view.
+- cover: ten of so many candidates over a plane with 60 blocks.
+
+Processor seconds of all threads, the least of the rounds (3). --small measures small scenes, in
+seconds. Exit status: 0.
+"""
+
+import argparse
+import csv
+import os
+import pathlib
+import resource
+import subprocess
+import sys
+import tempfile
+
+import numpy
+import relievo
+from relievo.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from relievo.vtk.vtkCommonCore import vtkPoints
+from relievo.vtk.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from relievo.vtk.vtkFiltersCore import vtkTriangleFilter
+from relievo.vtk.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from relievo.vtk.vtkRenderingCore import vtkActor, vtkCamera, vtkPolyDataMapper, vtkRenderer
+from scale import torus
+
+COLUMNS = ("subject", "method", "triangles", "number", "processor seconds", "bytes", "MiB")
+PROCESSES = 8
+HOLD = """
+import re, sys, relievo
+def size():
+    return int(re.search(r"Pss:\\s+(\\d+)", open("/proc/self/smaps_rollup").read())[1]) / 1024
+if len(sys.argv) > 1:
+    scene = relievo.rays(sys.argv[1])
+    scene.any([0, 0, 9], [[0, 0, -1.0]])
+print("ready", flush=True)
+sys.stdin.readline()
+print(size(), flush=True)
+sys.stdin.read()
+"""
+
+
+def seconds(call, rounds):
+    """The least processor time of the call."""
+    taken = []
+    for _ in range(rounds):
+        before = resource.getrusage(resource.RUSAGE_SELF)
+        call()
+        after = resource.getrusage(resource.RUSAGE_SELF)
+        taken.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return min(taken)
+
+
+def ring(triangles):
+    points, cells = torus(triangles)
+    mesh = vtkPolyData()
+    mesh.SetPoints(vtkPoints())
+    mesh.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+    polygons = vtkCellArray()
+    polygons.SetData(3, numpy_to_vtk(cells.astype("i8").ravel(), deep=True))
+    mesh.SetPolys(polygons)
+    return mesh
+
+
+def set_size(*words):
+    """Mean proportional set size of as many processes."""
+    held = [subprocess.Popen([sys.executable, "-c", HOLD, *words], stdin=subprocess.PIPE,
+                             stdout=subprocess.PIPE, text=True) for _ in range(PROCESSES)]
+    for each in held:
+        each.stdout.readline()
+    sizes = []
+    for each in held:
+        each.stdin.write("\n")
+        each.stdin.flush()
+        sizes.append(float(each.stdout.readline()))
+    for each in held:
+        each.communicate()
+    return sum(sizes) / PROCESSES
+
+
+def starts(write, triangles, rounds):
+    mesh = ring(triangles)
+    count = mesh.GetNumberOfCells()
+    with tempfile.TemporaryDirectory() as folder:
+        path = str(pathlib.Path(folder, "ring.rays"))
+        relievo.rays(mesh).write(path)
+        for method, things in (("built", (mesh,)), ("file", (path,)), ("file, mesh", (path, mesh))):
+            taken = seconds(lambda given=things: relievo.rays(*given).scene.Update(), rounds)
+            alone = method == "file"
+            write("start", method, count, 1, taken,
+                  f"{os.path.getsize(path) / count:.1f}" if alone else "",
+                  f"{set_size(path) - set_size():.1f}" if alone else "")  # fmt: skip
+
+
+def views(write, triangles, number, rounds):
+    sphere = vtkSphereSource()
+    side = round((triangles / 2) ** 0.5)
+    sphere.SetThetaResolution(side)
+    sphere.SetPhiResolution(side + 2)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(sphere.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    lots = numpy.random.default_rng(3)
+    size = (64, 64)
+    cameras, sensors = [], []
+    for _ in range(number):
+        place = lots.normal(size=3)
+        camera = vtkCamera()
+        camera.SetPosition(2 * place / numpy.linalg.norm(place))
+        camera.SetViewUp(lots.normal(size=3))
+        camera.SetClippingRange(0.5, 5)
+        cameras.append(camera)
+        sensors.append(relievo.Pinhole(relievo.intrinsics(camera, size), size,
+                                       *relievo.extrinsics(camera)))  # fmt: skip
+    renderer.SetActiveCamera(cameras[0])
+    relievo.capture(renderer, "depth", size=size)  # compiles shaders
+
+    def draw_each():
+        for camera in cameras:
+            renderer.SetActiveCamera(camera)
+            relievo.capture(renderer, "depth", size=size)
+
+    def trace_each():
+        for sensor in sensors[:10]:
+            relievo.capture(renderer, "depth", camera=sensor)
+
+    def draw_many():
+        relievo.capture_many(renderer, cameras, "depth", size=size)
+
+    def trace_many():
+        relievo.capture_many(renderer, sensors, "depth")
+
+    for method, call, count in (("capture, drawn", draw_each, number),
+                                ("capture_many, drawn", draw_many, number),
+                                ("capture, rays", trace_each, 10),
+                                ("capture_many, rays", trace_many, number)):  # fmt: skip
+        write("view", method, 2 * side * side, number, seconds(call, rounds) / count, "", "")
+
+
+def covers(write, triangles, number, rounds):
+    side = int((triangles / 2) ** 0.5)
+    plane = vtkPlaneSource()
+    plane.SetOrigin(0, 0, 0)
+    plane.SetPoint1(100, 0, 0)
+    plane.SetPoint2(0, 100, 0)
+    plane.SetResolution(side, side)
+    cut = vtkTriangleFilter()
+    cut.SetInputConnection(plane.GetOutputPort())
+    cut.Update()
+    mesh = cut.GetOutput()
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    lots = numpy.random.default_rng(1)
+    for _ in range(60):
+        low, width = lots.uniform(0, 95, 2), lots.uniform(2, 8, 2)
+        within = ((points[:, :2] >= low) & (points[:, :2] <= low + width)).all(axis=1)
+        points[within, 2] = lots.uniform(3, 20)
+    places = numpy.column_stack([lots.uniform(0, 100, (number, 2)), lots.uniform(5, 25, number)])
+    taken = seconds(lambda: relievo.cover(mesh, places, 10), rounds)
+    write("cover", "relievo.cover", mesh.GetNumberOfCells(), number, taken, "", "")
+
+
+def main():
+    given = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    given.add_argument("--small", action="store_true")
+    given.add_argument("--rounds", type=int, default=3)
+    given = given.parse_args()
+    out = csv.writer(sys.stdout, lineterminator="\n")
+    out.writerow(COLUMNS)
+
+    def write(subject, method, triangles, number, taken, *others):
+        out.writerow([subject, method, triangles, number, f"{taken:.3g}", *others])
+        sys.stdout.flush()
+
+    for triangles in (20_000,) if given.small else (1_000_000, 10_000_000):
+        starts(write, triangles, 1 if triangles > 1_000_000 else given.rounds)
+    for triangles in (1_000,) if given.small else (1_000, 100_000):
+        views(write, triangles, 20 if given.small else 100, given.rounds)
+    for triangles, number in ([(1_000, 5)] if given.small
+                              else [(10_000, 100), (100_000, 20), (100_000, 100)]):  # fmt: skip
+        covers(write, triangles, number, given.rounds)
+
+
+if __name__ == "__main__":
+    main()
