@@ -254,7 +254,7 @@ void DressedScene::Update(
     }
     this->Surface = surface;
     this->Dress = dress;
-    this->SetFrame(options);
+    this->SetFrame(options, isDressed);
   }
   catch (...)
   {
@@ -386,8 +386,9 @@ void DressedScene::Wear(const RenderOptions& options, Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Unchanged stages keep their resources.
-void DressedScene::SetFrame(const RenderOptions& options)
+// Unchanged stages keep their resources; choices of lights and volumes, made since the last update
+// on the stage itself, stay as long as the options about them are the same.
+void DressedScene::SetFrame(const RenderOptions& options, bool isDressed)
 {
   vtkRenderer* renderer = this->GetRenderer();
   if (!NeedsFrame(options))
@@ -422,7 +423,15 @@ void DressedScene::SetFrame(const RenderOptions& options)
       }
     }
   }
-  SetCasters(frame, renderer, options);
+  if (isNew || !isDressed)
+  {
+    SetCastingLights(frame, renderer, options);
+  }
+  if (isNew || options.VolumesCast != this->Options.VolumesCast ||
+    options.VolumesReceive != this->Options.VolumesReceive)
+  {
+    SetCastingVolumes(frame, renderer, options);
+  }
   if (isNew)
   {
     AddFramePoints(frame, this->Points);

@@ -77,7 +77,8 @@ public:
   const double* GetBounds() const { return this->Read.Bounds; }
 
 private:
-  void SetFrame(const RenderOptions& options);
+  /// `isDressed`: the scene's lights have not been replaced.
+  void SetFrame(const RenderOptions& options, bool isDressed);
 
   /// An actor's state before options were applied.
   struct Part

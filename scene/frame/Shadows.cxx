@@ -24,7 +24,7 @@ int CountLights(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
+void SetCastingLights(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
 {
   for (std::size_t i = 0; i < options.Lights.size(); ++i)
   {
@@ -39,6 +39,11 @@ void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
       pass->GetShadowStage()->SetLightSize(light, *choice.Size);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void SetCastingVolumes(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
+{
   vtkVolumeCollection* volumes = renderer->GetVolumes();
   for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
   {
@@ -53,7 +58,8 @@ void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
 //------------------------------------------------------------------------------
 void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
 {
-  SetCasters(pass, renderer, options);
+  SetCastingLights(pass, renderer, options);
+  SetCastingVolumes(pass, renderer, options);
   // The viewer uses --stage instead, because OpenGL must not be queried between a widget's frames.
   const std::string option = "--shadow-size";
   if (const std::string* size = FindStageChoice(options.Stages, "shadows", "map_size", option))

@@ -18,8 +18,11 @@ struct RenderOptions;
 /// Number of lights drawn: VTK makes a headlight if there are none.
 int CountLights(vtkRenderer* renderer);
 
-/// Sets which lights and props cast shadows, and the size of lights.
-void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
+/// Sets which lights cast shadows, their size and names.
+void SetCastingLights(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
+
+/// Sets whether volumes cast shadows and receive them.
+void SetCastingVolumes(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
 
 /// Sets the casters and the sizes of lights, and whether the pass waits for samples. Throws
 /// UsageError if the maps exceed the limits of the window's OpenGL.

@@ -611,6 +611,35 @@ class Scene(unittest.TestCase):
         scene.update()
         self.assertNotEqual(scene.renderer.GetActiveCamera().GetPosition(), (9, 9, 9))
 
+    def test_choices_of_casters_stay(self):
+        """Choices made on the stage stay over updates, until an option about them changes."""
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        array = numpy_to_vtk(numpy.arange(27.0), deep=True)
+        array.SetName("value")
+        image.GetPointData().SetScalars(array)
+        writer = vtkXMLImageDataWriter()
+        writer.SetFileName(self.path("cube.vti"))
+        writer.SetInputData(image)
+        writer.Write()
+        scene = relievo.scene(self.path("cube.vti"), image="volume", size=SIZE, shadows="map",
+                              light="sun:1,3,2")  # fmt: skip
+        volume = scene.renderer.GetVolumes().GetItemAsObject(0)
+        light = scene.renderer.GetLights().GetItemAsObject(0)
+        stage = scene.frame.GetShadowStage()
+        stage.SetPropCasts(volume, stage.CASTS_NEVER)
+        stage.SetPropReceives(volume, False)
+        stage.SetLightCasts(light, False)
+        scene.update()
+        self.assertFalse(stage.GetLightCasts(light))
+        scene.set(opacity=0.5).update()
+        self.assertEqual(stage.GetPropCasts(volume), stage.CASTS_NEVER)
+        self.assertFalse(stage.GetPropReceives(volume))
+        scene.set(volume_shadows="casts").update()
+        self.assertEqual(stage.GetPropCasts(volume), stage.CASTS_IF_OPAQUE)
+        scene.set(volume_shadows="both").update()
+        self.assertTrue(stage.GetPropReceives(volume))
+
     def test_vtk_is_left_as_it_was(self):
         """Neither messages nor the error output are taken from others, be it a good file or not."""
         window = vtkOutputWindow.GetInstance()
