@@ -119,6 +119,13 @@ struct SoftShadowSizes
   int Height = 180;
 };
 
+struct EmptySpaceSizes
+{
+  std::vector<int> Sizes = { 128 }; // voxels along an axis
+  std::vector<double> Shares = { 0.01, 0.03, 0.1, 0.3 };
+  int Rounds = 3;
+};
+
 struct ExactHardSizes
 {
   std::vector<std::string> Scenes = { "fins", "folds", "arrows", "tree", "bunny", "motorBike" };
@@ -218,6 +225,7 @@ int BenchSun(const std::string& outDir, const SunSizes& sizes);
 int BenchSkin(const std::string& outDir, const SkinSizes& sizes);
 int BenchParticles(const std::string& outDir, const ParticleSizes& sizes);
 int BenchSoftShadows(const std::string& outDir, const SoftShadowSizes& sizes);
+int BenchEmptySpace(const std::string& outDir, const EmptySpaceSizes& sizes);
 int BenchExactHard(const std::string& outDir, const ExactHardSizes& sizes);
 int BenchAmbient(const std::string& outDir, const AmbientSizes& sizes);
 int BenchPlanner(const std::string& outDir, const PlannerSizes& sizes);

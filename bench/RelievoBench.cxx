@@ -88,6 +88,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchSoftShadows },
     { "volumes", "light through volumes: error against time by method, frames beside VTK's",
       RelievoBenchVolumes },
+    { "empty-space", "frames of volumes whose transparent parts are skipped, beside VTK's",
+      RelievoBenchEmptySpace },
     { "exact-hard", "wrong exact shadows where edges lie densely, against expected errors",
       RelievoBenchExactHard },
     { "ambient", "error of ambient occlusion against time of a frame, beside VTK's own",

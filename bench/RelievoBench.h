@@ -67,6 +67,9 @@ int RelievoBenchBias(const std::string& outDir);
 /** Chart 11: error of soft shadows against samples. Some minutes. */
 int RelievoBenchSoftShadows(const std::string& outDir);
 
+/** Frames of volumes whose transparent parts are skipped, beside VTK's. Three minutes. */
+int RelievoBenchEmptySpace(const std::string& outDir);
+
 /** Errors of exact shadows where edges lie densely, against expected errors. A minute. */
 int RelievoBenchExactHard(const std::string& outDir);
 

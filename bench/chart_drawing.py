@@ -85,6 +85,8 @@ METHODS = {
     "with ties": "orange v -", "without ties": "blue o -", "expected": "grey x --",
     # light through volumes
     "grid": "blue o -", "Fourier terms": "grey s -.", "march": "grey D --",
+    # volumes whose transparent parts are skipped
+    "one ball": "blue o -", "64 balls": "green D -", "gyroid": "vermillion s -",
     # samples of the default preset
     "at once": "blue o -", "one by one": "grey x --",
     # lamps

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The bench of volumes, small: its rows, that more nodes err less, and rays in double least.
+// The bench of volumes, small: its rows, that more nodes err less, and rays in double least;
+// that pictures whose transparent parts are skipped are VTK's.
 #include "VolumeSizes.h"
+
+#include "BenchSizes.h"
 
 #include "Check.h"
 #include "CsvFile.h"
@@ -48,6 +51,18 @@ RELIEVO_TEST_CASE(testBenchVolumes)
   RELIEVO_CHECK(frames.size() >= 3);
   RELIEVO_CHECK_AT_MOST(20.0 * relievoTest::Value(frames[1], "levels rms"),
     relievoTest::Value(frames[0], "levels rms"), "the ground's shadow");
+  relievoBench::EmptySpaceSizes empty;
+  empty.Sizes = { 24 };
+  empty.Shares = { 0.1 };
+  empty.Rounds = 1;
+  RELIEVO_CHECK(relievoBench::BenchEmptySpace(folder, empty) == 0);
+  const auto shapes = relievoTest::ReadCsv(folder + "/empty-space.csv");
+  RELIEVO_CHECK(shapes.size() == 3 * 2 && shapes[0].at("stage") == "ran");
+  for (const auto& row : shapes)
+  {
+    RELIEVO_CHECK_AT_MOST(
+      relievoTest::Value(row, "levels"), 0.0, row.at("shape") + ": the picture");
+  }
   return session.Result();
 }
 }

@@ -239,6 +239,7 @@ TRUTH = {
         lambda row: str(max(1e-7, float(row["rms"]))),
         lambda row: row["method"] == "grid" and row["setting"] == "256",
         lambda row: row["size"] == "128"),
+    "empty-space": points("empty-space", "[kind]", "[shape]", "[visible %]", "[times faster]"),
     "exact-hard": exact_hard("with ties", "[wrong %]")
     + exact_hard("without ties", "[wrong without ties %]") + exact_hard("expected", "[expected %]"),
     "ambient": points(

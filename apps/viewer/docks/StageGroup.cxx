@@ -32,7 +32,8 @@ struct Placed
 constexpr Placed Places[] = { { "shadows", StageGroup::LIGHT }, { "lamps", StageGroup::LIGHT },
   { "tone", StageGroup::LOOK }, { "fog", StageGroup::LOOK }, { "markers", StageGroup::LOOK },
   { "antialias", StageGroup::LOOK }, { "deferred", StageGroup::ADVANCED },
-  { "light_depth", StageGroup::ADVANCED }, { "volumes", StageGroup::ADVANCED } };
+  { "light_depth", StageGroup::ADVANCED }, { "volumes", StageGroup::ADVANCED },
+  { "empty_space", StageGroup::ADVANCED } };
 
 const Placed* FindPlace(const std::string& stage)
 {
