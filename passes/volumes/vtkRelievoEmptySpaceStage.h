@@ -9,8 +9,8 @@
  * processor, when the data change, and tested when the opacity function changes.
  *
  * This applies to images of one component, composited by a function of the value, with gradient
- * opacity, cropping, clipping planes, binary masks and shadows. Other volumes are drawn in full, and
- * the stage's reason says why.
+ * opacity, cropping, clipping planes, binary masks and shadows. Other volumes are drawn in full,
+ * and the stage's reason says why.
  */
 #ifndef vtkRelievoEmptySpaceStage_h
 #define vtkRelievoEmptySpaceStage_h
