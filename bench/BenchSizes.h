@@ -123,6 +123,7 @@ struct EmptySpaceSizes
 {
   std::vector<int> Sizes = { 128 }; // voxels along an axis
   std::vector<double> Shares = { 0.01, 0.03, 0.1, 0.3 };
+  int Pixels = 400; // each side of a frame
   int Rounds = 3;
 };
 

@@ -39,7 +39,6 @@ namespace
 using namespace relievoBench;
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr int Pixels = 400; // each side of a frame
 constexpr double Highest = 65535.0;
 
 // How far from the shape's middle a place from 0 to 1 in the box is, in any unit.
@@ -94,7 +93,7 @@ void Fill(vtkImageData* image, const Shape& shape, int size, double share)
 
 struct Window
 {
-  Window(vtkImageData* image, bool shaded)
+  Window(vtkImageData* image, bool shaded, int pixels)
   {
     const double spacing = image->GetSpacing()[0];
     vtkNew<vtkGPUVolumeRayCastMapper> mapper;
@@ -126,28 +125,28 @@ struct Window
     camera->SetPosition(1.5, 1.1, 2.3);
     camera->SetFocalPoint(0.5, 0.5, 0.5);
     this->Renderer->ResetCameraClippingRange();
-    this->Drawn = relievoTest::MakeWindow(Pixels, Pixels, this->Renderer);
+    this->Drawn = relievoTest::MakeWindow(pixels, pixels, this->Renderer);
   }
 
   vtkNew<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRenderWindow> Drawn;
 };
 
-void Measure(const Shape& shape, int size, double share, int rounds, Table& table)
+void Measure(const Shape& shape, int size, double share, const EmptySpaceSizes& sizes, Table& table)
 {
   vtkNew<vtkImageData> image;
   Fill(image, shape, size, share);
   for (const bool shaded : { false, true })
   {
-    const Window plain(image, shaded);
-    const Window skipping(image, shaded);
+    const Window plain(image, shaded, sizes.Pixels);
+    const Window skipping(image, shaded, sizes.Pixels);
     vtkRelievoStage* stage = vtkRelievoPass::Attach(skipping.Renderer)->GetStage("empty_space");
     stage->EnabledOn();
     const int difference = relievoTest::GetLargestDifference(
       relievoTest::Picture(plain.Drawn), relievoTest::Picture(skipping.Drawn));
     std::vector<relievoTest::Timing> times;
     TimeInTurn(
-      { relievoTest::Frame(plain.Drawn), relievoTest::Frame(skipping.Drawn) }, rounds, times);
+      { relievoTest::Frame(plain.Drawn), relievoTest::Frame(skipping.Drawn) }, sizes.Rounds, times);
     const auto pair = PairOf(times[0], times[1]);
     const std::string kind = shaded ? "shaded" : "not shaded";
     table.AddRow({ shape.Name, std::to_string(size), Number(100.0 * share), kind,
@@ -177,7 +176,7 @@ int relievoBench::BenchEmptySpace(const std::string& outDir, const EmptySpaceSiz
     {
       for (const double share : sizes.Shares)
       {
-        Measure(shape, size, share, sizes.Rounds, table);
+        Measure(shape, size, share, sizes, table);
       }
     }
   }

@@ -54,6 +54,7 @@ RELIEVO_TEST_CASE(testBenchVolumes)
   relievoBench::EmptySpaceSizes empty;
   empty.Sizes = { 24 };
   empty.Shares = { 0.1 };
+  empty.Pixels = 60;
   empty.Rounds = 1;
   RELIEVO_CHECK(relievoBench::BenchEmptySpace(folder, empty) == 0);
   const auto shapes = relievoTest::ReadCsv(folder + "/empty-space.csv");
