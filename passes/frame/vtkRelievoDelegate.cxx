@@ -62,6 +62,15 @@ int vtkRelievoDelegate::Render(
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoDelegate::LeaveTranslucentOut()
+{
+  for (vtkProp*& prop : this->Props)
+  {
+    prop = prop != this->Begin && prop->HasTranslucentPolygonalGeometry() ? this->End : prop;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoDelegate::ReleaseGraphicsResources(vtkWindow* window)
 {
   if (this->Steps)

@@ -38,6 +38,9 @@ public:
   // drawn.
   int Render(vtkRenderPass* pass, const vtkRenderState* s, const DelegateEvents& events);
 
+  // Spares the drawing of translucent props that were drawn otherwise; called by OpaqueEnds.
+  void LeaveTranslucentOut();
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:

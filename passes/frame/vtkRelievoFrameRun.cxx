@@ -398,6 +398,10 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
       {
         this->Raster.End(this->Context, this->Color);
         this->CheckRaster();
+        if (this->Context.Lattice && !this->Context.Translucent)
+        {
+          delegate.LeaveTranslucentOut();
+        }
       }
       interrupt([&]() { forEach(&vtkRelievoStage::EndOpaque); });
     };

@@ -116,6 +116,20 @@ class Antialias(unittest.TestCase):
                 (light * axis).sum() / light.sum(), (shares * axis).sum() / shares.sum(),
                 delta=0.01)  # fmt: skip
 
+    def test_translucent(self):
+        """A translucent surface has smooth edges, too, and is drawn as often as an opaque one."""
+        actor = self.renderer.GetActors().GetLastActor()
+        draws = []
+        actor.GetMapper().AddObserver("StartEvent", lambda *_: draws.append(opacity))
+        for opacity in 1.0, 0.5:
+            actor.GetProperty().SetOpacity(opacity)
+            light = linear(self.smooth(8)[..., 0].astype(float))
+            self.assertIn("drawn at once", self.frame.GetFrameReport())
+            shares, whole = covered(CORNERS), linear(255 * opacity)
+            self.assertLess(numpy.sqrt(((light - whole * shares) ** 2).mean()), 0.02)
+            numpy.testing.assert_allclose(light[shares == 1], whole, atol=0.005)
+        self.assertEqual(draws.count(0.5), draws.count(1.0), draws)
+
     def test_moving(self):
         """A picture of the first sample alone is filtered, an accumulated one is not, whether or
         not the window has samples of its own."""

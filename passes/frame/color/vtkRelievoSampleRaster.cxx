@@ -420,7 +420,6 @@ void vtkRelievoSampleRaster::DrawOpaque(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// The delegate draws translucent surfaces again later, under the means.
 void vtkRelievoSampleRaster::DrawTranslucent(vtkRelievoFrameContext& context)
 {
   vtkOpenGLState* state = context.Window->GetState();
