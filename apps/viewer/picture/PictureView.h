@@ -9,6 +9,9 @@
 
 #include "Picture.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <QElapsedTimer>
@@ -85,9 +88,12 @@ private:
   void LetLinesBeWide();
   void OnDrawn();
   void GoOn();
+  void DropFence();
 
   std::unique_ptr<Picture> Shown;
   unsigned long Beginning;
+  vtkNew<vtkCallbackCommand> Holding; // painting, while OpenGL draws
+  void* Fence = nullptr;              // of the sample that OpenGL draws
   bool Picking = false;
   QTimer Soon, Rest;
   QElapsedTimer Begun; // start of the frame
