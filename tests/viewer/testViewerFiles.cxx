@@ -20,6 +20,8 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QLabel>
@@ -28,8 +30,10 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTableWidget>
 #include <QTreeWidget>
 #include <QtTest>
@@ -226,6 +230,69 @@ private Q_SLOTS:
       QVERIFY(file.open(QIODevice::ReadOnly));
       QCOMPARE(file.readAll(), QByteArray("mine"));
     }
+  }
+
+  // Width and height of pictures keep their ratio until they are unlinked.
+  void linksWidthAndHeight()
+  {
+    this->Open({ this->WriteScene() });
+    const double ratio = static_cast<double>(this->Window->GetView()->width()) /
+      this->Window->GetView()->height();
+    const viewerTest::Dialogs dialogs([&](QDialog* dialog) {
+      auto* width = dialog->findChild<QSpinBox*>("width");
+      auto* height = dialog->findChild<QSpinBox*>("height");
+      auto* linked = dialog->findChild<QCheckBox*>("linked");
+      QVERIFY(linked->isChecked());
+      width->setValue(1000);
+      QCOMPARE(height->value(), static_cast<int>(std::lround(1000 / ratio)));
+      width->setValue(3);
+      height->setValue(2000); // the ratio is not that of small numbers
+      QCOMPARE(width->value(), static_cast<int>(std::lround(2000 * ratio)));
+      linked->setChecked(false);
+      width->setValue(500);
+      QCOMPARE(height->value(), 2000);
+      linked->setChecked(true);
+      height->setValue(1000);
+      QCOMPARE(width->value(), 250);
+      auto* sizes = dialog->findChild<QComboBox*>("sizes");
+      sizes->setCurrentIndex(sizes->findData(QSize(1920, 1080)));
+      width->setValue(960);
+      QCOMPARE(height->value(), 540);
+      dialog->reject();
+    });
+    this->Window->findChild<QAction*>("savePicture")->trigger();
+    QCOMPARE(dialogs.GetCount(), 1);
+  }
+
+  // The view keeps its picture while one of another size is drawn.
+  void viewWhileSaving()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "shadows:map_size=256" });
+    viewer::PictureView* view = this->Window->GetView();
+    const auto look = [&] { // at the screen, in the view's middle
+      this->Window->repaint();
+      QTest::qWait(50);
+      const QPoint place = view->mapTo(this->Window.get(), view->rect().center());
+      return this->Window->screen()
+        ->grabWindow(this->Window->winId(), place.x() - 40, place.y() - 40, 80, 80)
+        .toImage();
+    };
+    const auto rest = [&] {
+      QSignalSpy drawn(view, &viewer::PictureView::drawn);
+      view->Draw();
+      QVERIFY(drawn.wait(60000));
+      QTRY_COMPARE_WITH_TIMEOUT(view->GetPicture().GetFrame()->GetSamplesLeft(), 0, 60000);
+      QTest::qWait(100);
+    };
+    rest();
+    const QImage before = look();
+    {
+      const viewer::PictureView::OtherSize sized(view, QSize(90, 400));
+      view->renderWindow()->Render();
+      QCOMPARE(look(), before);
+    }
+    rest();
+    QCOMPARE(look(), before);
   }
 
   // Edits that no session has do not go with the window, unless the user says so.

@@ -13,6 +13,7 @@
 #include "vtkTextureObject.h"
 
 #include <QApplication>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QOpenGLExtraFunctions>
 
@@ -301,6 +302,10 @@ PictureView::OtherSize::OtherSize(PictureView* view, const QSize& size)
   }
   if (size.isValid())
   {
+    this->Still = std::make_unique<QLabel>(view->parentWidget());
+    this->Still->setPixmap(view->grab());
+    this->Still->setGeometry(view->geometry());
+    this->Still->show();
     view->setUpdatesEnabled(false);
     window->SetSize(size.width(), size.height());
   }

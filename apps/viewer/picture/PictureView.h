@@ -21,6 +21,8 @@
 
 #include <memory>
 
+class QLabel;
+
 namespace viewer
 {
 class PictureView : public QVTKOpenGLNativeWidget
@@ -42,8 +44,8 @@ public:
   /// The next left click emits `picked` instead of turning the view.
   void PickNext(bool on);
 
-  /// While one lives, the picture has this many pixels, and the vertical angle stays. An invalid
-  /// size means the view's own. Throws words::WorkError for more pixels than OpenGL can draw.
+  /// While one lives, the picture has this many pixels, the vertical angle stays, and the view shows
+  /// what it showed before. An invalid size means the view's own. Throws words::WorkError for more pixels than OpenGL can draw.
   class OtherSize
   {
   public:
@@ -55,6 +57,7 @@ public:
   private:
     PictureView* View;
     QSize Before;
+    std::unique_ptr<QLabel> Still; // over the view
   };
 
   /// Draws soon; several calls are combined.
