@@ -212,7 +212,8 @@ bool HasNan(const std::vector<Coloring>& all, const LookChoice& look)
     {
       const int count = array->GetNumberOfComponents();
       const int first = look.Component.value_or(0);
-      for (vtkIdType i = 0; relievo::GetRounding(array->GetDataType()) > 0.0 && i < array->GetNumberOfTuples(); ++i)
+      for (vtkIdType i = 0;
+           relievo::GetRounding(array->GetDataType()) > 0.0 && i < array->GetNumberOfTuples(); ++i)
       {
         for (int c = first; c < (look.Component ? first + 1 : count); ++c)
         {
@@ -364,7 +365,8 @@ void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& 
     std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
     AddRange(values, 0, Colormap::Parse(look.Colormap).Log, range);
     const std::array<double, 2> found = range;
-    range = ChooseRange(WithoutRounding(range, relievo::GetRounding(values->GetDataType())), look, name);
+    range =
+      ChooseRange(WithoutRounding(range, relievo::GetRounding(values->GetDataType())), look, name);
     volume->GetProperty()->SetColor(MakeColormap(look.Colormap, range, true));
     if (look.ScalarBar && ++bars == 1)
     {

@@ -155,8 +155,8 @@ private Q_SLOTS:
     const QString png = QString::fromStdString(this->Path("none.png"));
     QVERIFY_EXCEPTION_THROWN(this->Window->SavePicture({ png, {} }), words::WorkError);
     QVERIFY_EXCEPTION_THROWN(this->Window->SaveLayers({ png, {}, { "depth" } }), words::WorkError);
-    const char* const names[] = { "copyCommand", "copyPython", "savePicture", "saveLayers", "fit",
-      "look1", "parallel" };
+    const char* const names[] = { "copyCommand", "copyPython", "copyPicture", "resetSettings",
+      "savePicture", "saveLayers", "fit", "look1", "parallel" };
     for (const char* name : names)
     {
       QVERIFY2(!this->Window->findChild<QAction*>(name)->isEnabled(), name);
@@ -236,8 +236,8 @@ private Q_SLOTS:
   void linksWidthAndHeight()
   {
     this->Open({ this->WriteScene() });
-    const double ratio = static_cast<double>(this->Window->GetView()->width()) /
-      this->Window->GetView()->height();
+    const double ratio =
+      static_cast<double>(this->Window->GetView()->width()) / this->Window->GetView()->height();
     const viewerTest::Dialogs dialogs([&](QDialog* dialog) {
       auto* width = dialog->findChild<QSpinBox*>("width");
       auto* height = dialog->findChild<QSpinBox*>("height");
