@@ -44,8 +44,9 @@ public:
   /// The next left click emits `picked` instead of turning the view.
   void PickNext(bool on);
 
-  /// While one lives, the picture has this many pixels, the vertical angle stays, and the view shows
-  /// what it showed before. An invalid size means the view's own. Throws words::WorkError for more pixels than OpenGL can draw.
+  /// While one lives, the picture has this many pixels, the vertical angle stays, and the view
+  /// keeps showing its last picture. An invalid size means the view's own. Throws
+  /// words::WorkError for more pixels than OpenGL can draw.
   class OtherSize
   {
   public:
