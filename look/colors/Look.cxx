@@ -21,6 +21,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
+#include "vtkRelievoColorRange.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkRenderer.h"
@@ -34,7 +35,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <vector>
 
@@ -174,29 +174,10 @@ void AddRange(vtkDataArray* array, int component, bool positive, std::array<doub
   }
 }
 
-// Relative rounding error of values of an array's type, and of magnitudes.
-double GetRounding(vtkDataArray* array)
-{
-  constexpr double steps = 8.0;
-  switch (array->GetDataType())
-  {
-    case VTK_FLOAT:
-      return steps * std::numeric_limits<float>::epsilon();
-    case VTK_DOUBLE:
-      return steps * std::numeric_limits<double>::epsilon();
-    default:
-      return 0.0;
-  }
-}
-
-// Values that differ only by rounding get the range of one value: a colour map over their range
-// would show noise.
+// Values that differ only by rounding get the range of one value.
 std::array<double, 2> WithoutRounding(const std::array<double, 2>& range, double rounding)
 {
-  const double size = std::max(std::abs(range[0]), std::abs(range[1]));
-  return range[0] < range[1] && range[1] - range[0] <= rounding * size
-    ? std::array<double, 2>{ range[0], range[0] }
-    : range;
+  return relievo::IsOneValue(range, rounding) ? std::array<double, 2>{ range[0], range[0] } : range;
 }
 
 //------------------------------------------------------------------------------
@@ -216,7 +197,7 @@ std::array<double, 2> FindRange(
     {
       AddRange(array, look.Component.value_or(array->GetNumberOfComponents() > 1 ? -1 : 0),
         positive, range);
-      rounding = std::max(rounding, GetRounding(array));
+      rounding = std::max(rounding, relievo::GetRounding(array->GetDataType()));
     }
   }
   return WithoutRounding(range, rounding);
@@ -231,7 +212,8 @@ bool HasNan(const std::vector<Coloring>& all, const LookChoice& look)
     {
       const int count = array->GetNumberOfComponents();
       const int first = look.Component.value_or(0);
-      for (vtkIdType i = 0; GetRounding(array) > 0.0 && i < array->GetNumberOfTuples(); ++i)
+      for (vtkIdType i = 0;
+           relievo::GetRounding(array->GetDataType()) > 0.0 && i < array->GetNumberOfTuples(); ++i)
       {
         for (int c = first; c < (look.Component ? first + 1 : count); ++c)
         {
@@ -267,6 +249,10 @@ std::array<double, 2> ChooseRange(
   if (!any)
   {
     return { 0.0, 1.0 };
+  }
+  if (found[0] == found[1] && !look.Symmetric)
+  {
+    return relievo::GetRangeOfOneValue(found[0]);
   }
   const double far = std::max(std::abs(found[0]), std::abs(found[1]));
   return look.Symmetric && far > 0.0 ? std::array<double, 2>{ -far, far } : found;
@@ -379,7 +365,8 @@ void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& 
     std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
     AddRange(values, 0, Colormap::Parse(look.Colormap).Log, range);
     const std::array<double, 2> found = range;
-    range = ChooseRange(WithoutRounding(range, GetRounding(values)), look, name);
+    range =
+      ChooseRange(WithoutRounding(range, relievo::GetRounding(values->GetDataType())), look, name);
     volume->GetProperty()->SetColor(MakeColormap(look.Colormap, range, true));
     if (look.ScalarBar && ++bars == 1)
     {

@@ -458,9 +458,10 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
   description.AddChoice(
     "method", this->Method, [this](int method) { this->SetMethod(method); },
     { "map", "forward", "warped", "exact" },
-    "How shadows are computed: by a depth map seen from the light (map), with more of a sun's map "
-    "near the camera, for landscapes (warped), in the camera's view (forward), or by a ray from "
-    "each pixel past the meshes' own triangles, which is slower (exact).");
+    "How shadows are computed. Map, for most scenes: a depth map seen from the light. Warped, for "
+    "landscapes: more of a sun's map near the camera. Forward, to compare methods: the map's "
+    "samples in the picture's own pixels; slow. Exact, to measure and to print: a ray from each "
+    "pixel past the meshes' own triangles; slower than a map.");
   description
     .AddWhole(
       "map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16, 16384, "texels",

@@ -67,6 +67,10 @@ class Look(CliTest):
         add(plane.GetPointData(), "wind", numpy.c_[x, 0 * x, 0 * x + 1])
         turned = numpy.c_[numpy.cos(7 * x), numpy.sin(7 * x), 0 * x]
         add(plane.GetPointData(), "unit", turned.astype(numpy.float32))
+        ulps = numpy.float32(1e6) + numpy.float32(0.0625) * (numpy.arange(len(x)) % 3 - 1)
+        add(plane.GetPointData(), "ulps", ulps.astype(numpy.float32))
+        add(plane.GetPointData(), "ulps below", -ulps.astype(numpy.float32))
+        add(plane.GetPointData(), "none", 0 * x)
         add(plane.GetPointData(), "still", 300 + 1e-13 * x)
         add(plane.GetPointData(), "slow", (300 + 1e-3 * x).astype(numpy.float32))
         add(plane.GetPointData(), LONG, x)
@@ -116,11 +120,14 @@ class Look(CliTest):
                    numpy.tile(numpy.array([30, 144, 255]) / 255, (SIDE, 1)))  # fmt: skip
 
     def test_constant_up_to_rounding(self):
-        """Values that differ by their rounding alone have one colour, others the whole map."""
-        for name, least, most in (("unit", 0, 0.01), ("still", 0, 0.01), ("slow", 0.9, 1)):
+        """Values that differ by their rounding alone have one colour, of a range from zero, so that
+        a mesh that is seen as a whole looks seen; others have the whole map."""
+        rows = (("unit", 1), ("still", 1), ("ulps", 1), ("ulps below", 0), ("none", 0))
+        for name, colour in rows:
             found = self.albedo("--colormap", "grey", "--color-by", name)
-            spread = found.max() - found.min()
-            self.assertTrue(least <= spread <= most, f"{name}: {spread}")
+            self.assertLess(abs(found - colour).max(), 0.005, name)
+        found = self.albedo("--colormap", "grey", "--color-by", "slow")
+        self.assertGreater(found.max() - found.min(), 0.9)
 
     def test_maps(self):
         """The ends of each map, as their authors publish them."""
@@ -469,7 +476,8 @@ class Look(CliTest):
     def test_refused(self):
         for words, says in (
             (["--color-by", "acros"],
-             ["'acros'", f"glass, label,1, paint, slow, still, {LONG}, unit, wind"]),
+             ["'acros'",
+              f"glass, label,1, none, paint, slow, still, {LONG}, ulps, ulps below, unit, wind"]),
             (["--color-by", "wind,3"], ["component 3", "0 to 2"]),
             (["--colormap", "viridian"], ["'viridian'", "viridis, cool-warm"]),
             (["--colormap", "black,viridian"], ["'viridian'", "colour's name"]),

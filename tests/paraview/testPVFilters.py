@@ -249,6 +249,11 @@ output.VTKObject.SetPolys(cells)
 
         expected = 4 * numpy.arctan(0.25 / (2 * numpy.sqrt(0.5 + 4)))
         self.assertEqual(found("seen").tolist(), [1])
+        shown = simple.Show(seen)
+        simple.Render()
+        self.assertEqual(list(shown.ColorArrayName), ["CELLS", "seen"])
+        self.assertEqual(list(shown.LookupTable.RGBPoints)[::4][::2], [0, 1])  # all seen looks seen
+        simple.Hide(seen)
         self.assertAlmostEqual(found("solid_angle")[0], expected, delta=0.01 * expected)
         # The height of 400 spans 60 degrees 2 away, in pixels by hand.
         side = 200 / (2 * numpy.tan(numpy.radians(30)))

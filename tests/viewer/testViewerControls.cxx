@@ -8,6 +8,7 @@
 #include "LayersPanel.h"
 #include "Options.h"
 #include "Probe.h"
+#include "ReportPanel.h"
 #include "StageTable.h"
 #include "TimesChart.h"
 
@@ -26,6 +27,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMainWindow>
 #include <QSlider>
 #include <QToolBar>
 #include <QtTest>
@@ -105,6 +107,38 @@ private Q_SLOTS:
     this->WaitUntilRead();
     QCOMPARE(blank, 0);
     QVERIFY(this->Window->findChild<QLabel*>("file") == file);
+  }
+
+  // A report behind another tab is not read: software OpenGL would wait for each command.
+  void reportBehind()
+  {
+    QMainWindow window;
+    int reads = 0;
+    auto* panel = new viewer::ReportPanel([&reads] {
+      ++reads;
+      return std::string();
+    });
+    QDockWidget* docks[] = { new QDockWidget("other", &window),
+      new QDockWidget("report", &window) };
+    docks[0]->setWidget(new QLabel("other"));
+    docks[1]->setWidget(panel);
+    for (QDockWidget* dock : docks)
+    {
+      window.addDockWidget(Qt::RightDockWidgetArea, dock);
+    }
+    window.tabifyDockWidget(docks[0], docks[1]);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    docks[1]->raise();
+    QTRY_VERIFY(!panel->visibleRegion().isEmpty());
+    panel->Follow();
+    QTRY_VERIFY(reads > 0);
+    docks[0]->raise();
+    QTRY_VERIFY(panel->visibleRegion().isEmpty());
+    reads = 0;
+    panel->Follow();
+    QTest::qWait(300);
+    QCOMPARE(reads, 0);
   }
 
   // Bars as long as the table's numbers say, in the palette's colour.

@@ -20,6 +20,8 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QLabel>
@@ -28,8 +30,10 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTableWidget>
 #include <QTreeWidget>
 #include <QtTest>
@@ -151,8 +155,8 @@ private Q_SLOTS:
     const QString png = QString::fromStdString(this->Path("none.png"));
     QVERIFY_EXCEPTION_THROWN(this->Window->SavePicture({ png, {} }), words::WorkError);
     QVERIFY_EXCEPTION_THROWN(this->Window->SaveLayers({ png, {}, { "depth" } }), words::WorkError);
-    const char* const names[] = { "copyCommand", "copyPython", "savePicture", "saveLayers", "fit",
-      "look1", "parallel" };
+    const char* const names[] = { "copyCommand", "copyPython", "copyPicture", "resetSettings",
+      "savePicture", "saveLayers", "fit", "look1", "parallel" };
     for (const char* name : names)
     {
       QVERIFY2(!this->Window->findChild<QAction*>(name)->isEnabled(), name);
@@ -226,6 +230,71 @@ private Q_SLOTS:
       QVERIFY(file.open(QIODevice::ReadOnly));
       QCOMPARE(file.readAll(), QByteArray("mine"));
     }
+  }
+
+  // Width and height of pictures keep their ratio until they are unlinked.
+  void linksWidthAndHeight()
+  {
+    this->Open({ this->WriteScene() });
+    const double ratio =
+      static_cast<double>(this->Window->GetView()->width()) / this->Window->GetView()->height();
+    std::vector<int> found;
+    const viewerTest::Dialogs dialogs([&](QDialog* dialog) {
+      auto* width = dialog->findChild<QSpinBox*>("width");
+      auto* height = dialog->findChild<QSpinBox*>("height");
+      auto* linked = dialog->findChild<QCheckBox*>("linked");
+      width->setValue(1000);
+      found.push_back(height->value());
+      width->setValue(3);
+      height->setValue(2000); // the ratio is not that of small numbers
+      found.push_back(width->value());
+      linked->setChecked(false);
+      width->setValue(500);
+      found.push_back(height->value());
+      linked->setChecked(true);
+      height->setValue(1000);
+      found.push_back(width->value());
+      auto* sizes = dialog->findChild<QComboBox*>("sizes");
+      sizes->setCurrentIndex(sizes->findData(QSize(1920, 1080)));
+      width->setValue(960);
+      found.push_back(height->value());
+      dialog->reject();
+    });
+    this->Window->findChild<QAction*>("savePicture")->trigger();
+    QCOMPARE(found,
+      (std::vector<int>{ static_cast<int>(std::lround(1000 / ratio)),
+        static_cast<int>(std::lround(2000 * ratio)), 2000, 250, 540 }));
+  }
+
+  // The view keeps its picture while one of another size is drawn.
+  void viewWhileSaving()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "shadows:map_size=256" });
+    viewer::PictureView* view = this->Window->GetView();
+    const auto look = [&] { // at the screen, in the view's middle
+      this->Window->repaint();
+      QTest::qWait(50);
+      const QPoint place = view->mapTo(this->Window.get(), view->rect().center());
+      return this->Window->screen()
+        ->grabWindow(this->Window->winId(), place.x() - 40, place.y() - 40, 80, 80)
+        .toImage();
+    };
+    const auto rest = [&] {
+      QSignalSpy drawn(view, &viewer::PictureView::drawn);
+      view->Draw();
+      QVERIFY(drawn.wait(60000));
+      QTRY_COMPARE_WITH_TIMEOUT(view->GetPicture().GetFrame()->GetSamplesLeft(), 0, 60000);
+      QTest::qWait(100);
+    };
+    rest();
+    const QImage before = look();
+    {
+      const viewer::PictureView::OtherSize sized(view, QSize(90, 400));
+      view->renderWindow()->Render();
+      QCOMPARE(look(), before);
+    }
+    rest();
+    QCOMPARE(look(), before);
   }
 
   // Edits that no session has do not go with the window, unless the user says so.

@@ -292,6 +292,31 @@ private Q_SLOTS:
     QVERIFY(late < 5);
   }
 
+  // Each slow sample is painted before the next one is drawn, and so is the last one.
+  void paintsSamples()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "shadows:map_size=256" });
+    viewer::PictureView* view = this->Window->GetView();
+    QSignalSpy first(view, &viewer::PictureView::drawn);
+    view->Draw();
+    QVERIFY(first.count() > 0 || first.wait(60000));
+    vtkRelievoPass* frame = view->GetPicture().GetFrame();
+    QTRY_COMPARE_WITH_TIMEOUT(frame->GetSamplesLeft(), 0, 60000);
+    QString order; // of samples drawn and of pictures painted
+    const QObject here;
+    QObject::connect(view, &viewer::PictureView::drawn, &here,
+      [&] { order += frame->GetSamplesLeft() == 0 ? 'L' : 'd'; });
+    QObject::connect(view, &QOpenGLWidget::frameSwapped, &here, [&] { order += 'p'; });
+    view->GetPicture().LookAlong({ -1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    view->Draw();
+    QTRY_VERIFY_WITH_TIMEOUT(order.contains(QRegularExpression("L.*p")), 60000);
+    if (frame->GetSamplesOneByOne())
+    {
+      QVERIFY2(order.count('d') > 2 && !order.mid(1).contains("dd") && !order.contains("dL"),
+        qPrintable(order));
+    }
+  }
+
   // Who opens a menu while samples are gathered does not wait for them: they go on afterwards.
   void menusWhileGathering()
   {

@@ -348,6 +348,39 @@ private Q_SLOTS:
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
   }
 
+  // The clipboard has the view's picture, with all samples.
+  void copiesThePicture()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "shadows:map_size=256" });
+    this->Window->findChild<QAction*>("copyPicture")->trigger();
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    const QString png = QString::fromStdString(this->Path("copied.png"));
+    QVERIFY(QApplication::clipboard()->image().save(png));
+    QCOMPARE(CountDifferent(this->Grab(), ReadPNG(png.toStdString())), 0);
+  }
+
+  // All settings as for newly opened files, and back.
+  void resets()
+  {
+    const std::string scene = this->WriteScene();
+    this->Open({ scene });
+    const vtkSmartPointer<vtkImageData> fresh = this->Grab();
+    this->Change([](scene::Settings& settings) {
+      settings.Set("--edges", "");
+      settings.SetParameter("shadows", "map_size", "256");
+      settings.Set("--color", "#ff8000");
+    });
+    const scene::Settings edited = this->Window->GetDocument()->Get();
+    QVERIFY(CountDifferent(fresh, this->Grab()) > 100);
+    this->Window->findChild<QAction*>("resetSettings")->trigger();
+    this->WaitUntilRead();
+    QCOMPARE(this->Window->GetDocument()->Get().GetWords(), std::vector<std::string>{ scene });
+    QCOMPARE(CountDifferent(fresh, this->Grab()), 0);
+    this->Window->GetDocument()->Undo();
+    this->WaitUntilRead();
+    QVERIFY(this->Window->GetDocument()->Get() == edited);
+  }
+
   void copiesTheCommand()
   {
     this->Open({ this->WriteScene("it's a scene.vtp"), "--shadows", "map" });

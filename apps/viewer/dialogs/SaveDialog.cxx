@@ -18,6 +18,8 @@
 #include <QSettings>
 #include <QSpinBox>
 
+#include <cmath>
+
 namespace viewer
 {
 namespace
@@ -37,10 +39,15 @@ public:
     : Sizes(new QComboBox(this))
     , Width(new QSpinBox(this))
     , Height(new QSpinBox(this))
+    , Linked(new QCheckBox("Linked", this))
   {
     this->Sizes->setObjectName("sizes");
     this->Width->setObjectName("width");
     this->Height->setObjectName("height");
+    this->Linked->setObjectName("linked");
+    this->Linked->setToolTip("A changed width changes the height too, and the other way round, so "
+                             "that their ratio stays");
+    this->Linked->setChecked(true);
     const std::pair<const char*, QSize> all[] = { { "As the view", view },
       { "Twice the view", 2 * view }, { "Four times the view", 4 * view },
       { "Full HD", { 1920, 1080 } }, { "4K", { 3840, 2160 } }, { "Other", {} } };
@@ -58,13 +65,15 @@ public:
     row->addWidget(new QLabel(QChar(0xd7), this));
     row->addWidget(this->Height);
     row->addWidget(new QLabel("pixels", this));
+    row->addWidget(this->Linked);
     row->addStretch(1);
     for (QSpinBox* side : { this->Width, this->Height })
     {
       side->setRange(1, scene::LargestSize);
       QObject::connect(side, static_cast<void (QSpinBox::*)(int)>(&QSpinBox::valueChanged), this,
-        [this] { this->ShowName(); });
+        [this, side] { this->Follow(side); });
     }
+    QObject::connect(this->Linked, &QCheckBox::toggled, this, [this] { this->KeepRatio(); });
     QObject::connect(this->Sizes,
       static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this,
       [this] { this->ShowNumbers(); });
@@ -82,7 +91,26 @@ private:
       const QSignalBlocker quiet[] = { QSignalBlocker(this->Width), QSignalBlocker(this->Height) };
       this->Width->setValue(size.width());
       this->Height->setValue(size.height());
+      this->KeepRatio();
     }
+  }
+
+  void KeepRatio()
+  {
+    this->Ratio = static_cast<double>(this->Width->value()) / this->Height->value();
+  }
+
+  // The other side of a changed one.
+  void Follow(const QSpinBox* side)
+  {
+    if (this->Linked->isChecked())
+    {
+      QSpinBox* other = side == this->Width ? this->Height : this->Width;
+      const QSignalBlocker quiet(other);
+      other->setValue(static_cast<int>(std::lround(
+        side == this->Width ? side->value() / this->Ratio : side->value() * this->Ratio)));
+    }
+    this->ShowName();
   }
 
   void ShowName()
@@ -94,6 +122,8 @@ private:
 
   QComboBox* Sizes;
   QSpinBox *Width, *Height;
+  QCheckBox* Linked;
+  double Ratio = 1.0; // of width to height
 };
 
 //------------------------------------------------------------------------------

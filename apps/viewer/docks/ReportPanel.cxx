@@ -45,18 +45,19 @@ ReportPanel::ReportPanel(std::function<std::string()> read, QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
+// A dock behind another tab is visible for Qt. Reading the report makes the next frames wait for
+// each of their commands in software OpenGL.
 void ReportPanel::Follow()
 {
-  if (this->isVisible() && !this->Timer.isActive())
+  if (!this->visibleRegion().isEmpty() && !this->Timer.isActive())
   {
     this->Timer.start(RefreshMilliseconds);
   }
 }
 
 //------------------------------------------------------------------------------
-void ReportPanel::showEvent(QShowEvent* event)
+void ReportPanel::Show()
 {
-  this->QWidget::showEvent(event);
   this->Renew();
   this->Refresh();
 }
@@ -87,7 +88,7 @@ void ReportPanel::Refresh()
             relievoQt::FrameReport::FormatBytes(report.Bytes)));
   this->Chart->SetReport(report);
   this->Table->SetReport(report);
-  if (untimed && this->isVisible() && this->Tries > 0)
+  if (untimed && this->Tries > 0)
   {
     --this->Tries;
     Q_EMIT this->framesWanted();

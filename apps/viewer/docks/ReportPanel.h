@@ -33,15 +33,15 @@ public:
   /// Updates chart and table soon after a picture, if they are visible.
   void Follow();
 
+  /// Call when the panel comes to the front.
+  void Show();
+
   /// A new picture is drawn; its times are not known yet.
   void Renew();
 
 Q_SIGNALS:
   /// Only drawn frames are timed, and times arrive some frames later.
   void framesWanted();
-
-protected:
-  void showEvent(QShowEvent* event) override;
 
 private:
   void Refresh();

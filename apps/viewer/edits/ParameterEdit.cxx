@@ -103,8 +103,9 @@ QWidget* ParameterEdit::MakeChoice(const vtkRelievoParameter& parameter)
   auto* box = new QComboBox(this);
   for (std::size_t i = 0; i < parameter.Choices.size(); ++i)
   {
-    box->addItem(QString::fromStdString(parameter.GetChoiceLabel(i)),
-      QString::fromStdString(parameter.Choices[i]));
+    QString label = QString::fromStdString(parameter.GetChoiceLabel(i));
+    box->addItem(
+      label.replace(0, 1, label.left(1).toUpper()), QString::fromStdString(parameter.Choices[i]));
   }
   this->Show = [box](const QString& words) {
     const QSignalBlocker quiet(box);

@@ -13,7 +13,9 @@
 #include "vtkTextureObject.h"
 
 #include <QApplication>
+#include <QLabel>
 #include <QMouseEvent>
+#include <QOpenGLExtraFunctions>
 
 #include <algorithm>
 
@@ -24,6 +26,7 @@ namespace
 // Milliseconds
 constexpr int BusyPause = 50;
 constexpr int InputPause = 250; // after the user's last input, if a sample takes long
+constexpr int FencePause = 10;  // until the graphics card is asked again whether it has finished
 constexpr int Patience = 100;   // acceptable delay for opening a menu while samples accumulate
 
 // Time for all samples together, relative to a single one: 13 on llvmpipe, less on GPUs.
@@ -81,6 +84,8 @@ PictureView::PictureView(QWidget* parent)
   this->Beginning = window->AddObserver(vtkCommand::StartEvent, begin);
   this->Soon.setSingleShot(true);
   QObject::connect(&this->Soon, &QTimer::timeout, this, [this] { this->renderWindow()->Render(); });
+  this->Holding->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  window->AddObserver(vtkCommand::WindowFrameEvent, this->Holding, 1.0F); // before the widget's
   qApp->installEventFilter(this);
   this->Rest.setSingleShot(true);
   QObject::connect(&this->Rest, &QTimer::timeout, this, &PictureView::GoOn);
@@ -91,7 +96,9 @@ PictureView::~PictureView()
 {
   this->renderWindow()->RemoveObservers(vtkCommand::EndEvent);
   this->renderWindow()->RemoveObserver(this->Beginning);
+  this->renderWindow()->RemoveObserver(this->Holding);
   this->makeCurrent();
+  this->DropFence();
   this->Shown.reset();
   this->doneCurrent();
 }
@@ -160,15 +167,55 @@ bool PictureView::eventFilter(QObject* watched, QEvent* event)
 
 //------------------------------------------------------------------------------
 // Draws the remaining samples, unless the user has a menu open, drags, or has just acted: input
-// takes precedence.
+// takes precedence. A slow sample is given to OpenGL, and the window is painted when OpenGL has
+// drawn it: painting would wait for it, and so would the user's input.
 void PictureView::GoOn()
 {
+  if (this->Fence)
+  {
+    this->makeCurrent();
+    QOpenGLExtraFunctions* gl = this->context()->extraFunctions();
+    if (gl->glClientWaitSync(static_cast<GLsync>(this->Fence), 0, 0) == GL_TIMEOUT_EXPIRED)
+    {
+      this->Rest.start(FencePause);
+      return;
+    }
+    this->DropFence();
+    this->update();
+    this->SamplesLeft > 0 ? this->Rest.start(0) : this->Rest.stop(); // after painting
+    return;
+  }
   vtkRelievoPass* frame = this->Shown->GetFrame();
   const bool slow = frame && frame->GetSamplesOneByOne();
   const bool busy = QApplication::activePopupWidget() ||
     QApplication::mouseButtons() != Qt::NoButton ||
     (slow && this->SinceInput.isValid() && this->SinceInput.elapsed() < InputPause);
-  busy ? this->Rest.start(BusyPause) : this->renderWindow()->Render();
+  if (busy)
+  {
+    this->Rest.start(BusyPause);
+    return;
+  }
+  this->Holding->SetAbortFlagOnExecute(slow);
+  this->renderWindow()->Render();
+  this->Holding->SetAbortFlagOnExecute(false);
+  if (slow)
+  {
+    this->makeCurrent();
+    QOpenGLExtraFunctions* gl = this->context()->extraFunctions();
+    this->Fence = gl->glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl->glFlush();
+    this->Rest.start(FencePause);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PictureView::DropFence()
+{
+  if (this->Fence)
+  {
+    this->context()->extraFunctions()->glDeleteSync(static_cast<GLsync>(this->Fence));
+    this->Fence = nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -255,6 +302,10 @@ PictureView::OtherSize::OtherSize(PictureView* view, const QSize& size)
   }
   if (size.isValid())
   {
+    this->Still = std::make_unique<QLabel>(view->parentWidget());
+    this->Still->setPixmap(view->grab());
+    this->Still->setGeometry(view->geometry());
+    this->Still->show();
     view->setUpdatesEnabled(false);
     window->SetSize(size.width(), size.height());
   }

@@ -9,6 +9,9 @@
 
 #include "Picture.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <QElapsedTimer>
@@ -17,6 +20,8 @@
 #include <QTimer>
 
 #include <memory>
+
+class QLabel;
 
 namespace viewer
 {
@@ -39,8 +44,9 @@ public:
   /// The next left click emits `picked` instead of turning the view.
   void PickNext(bool on);
 
-  /// While one lives, the picture has this many pixels, and the vertical angle stays. An invalid
-  /// size means the view's own. Throws words::WorkError for more pixels than OpenGL can draw.
+  /// While one lives, the picture has this many pixels, the vertical angle stays, and the view
+  /// keeps showing its last picture. An invalid size means the view's own. Throws
+  /// words::WorkError for more pixels than OpenGL can draw.
   class OtherSize
   {
   public:
@@ -52,6 +58,7 @@ public:
   private:
     PictureView* View;
     QSize Before;
+    std::unique_ptr<QLabel> Still; // over the view
   };
 
   /// Draws soon; several calls are combined.
@@ -85,9 +92,12 @@ private:
   void LetLinesBeWide();
   void OnDrawn();
   void GoOn();
+  void DropFence();
 
   std::unique_ptr<Picture> Shown;
   unsigned long Beginning;
+  vtkNew<vtkCallbackCommand> Holding; // painting, while OpenGL draws
+  void* Fence = nullptr;              // of the sample that OpenGL draws
   bool Picking = false;
   QTimer Soon, Rest;
   QElapsedTimer Begun; // start of the frame

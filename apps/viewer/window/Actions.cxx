@@ -204,7 +204,22 @@ void AddEditMenu(MainWindow* window)
   };
   QObject::connect(document, &Document::pastChanged, undo, follow);
   follow();
+  NeedPicture(window,
+    Add(menu, window, "R&eset settings", QKeySequence(), "resetSettings",
+      [document] {
+        document->Change([](scene::Settings& settings) {
+          scene::Settings fresh;
+          fresh.Files = settings.Files;
+          settings = fresh;
+        });
+      }))
+    ->setToolTip(
+      "All settings as for newly opened files; the camera stays, and undo brings them back");
+  menu->setToolTipsVisible(true);
   menu->addSeparator();
+  NeedPicture(window,
+    Add(menu, window, "C&opy picture", QKeySequence::Copy, "copyPicture",
+      [window] { window->CopyPicture(); }));
   NeedPicture(window,
     Add(
       menu, window, "Copy as &command line", QKeySequence("Ctrl+Shift+C"), "copyCommand", [window] {

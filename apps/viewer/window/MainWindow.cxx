@@ -300,6 +300,13 @@ void MainWindow::Connect()
     this->Values->setVisible(on);
     this->Values->clear();
   });
+  QObject::connect(this->findChild<QDockWidget*>("report"), &QDockWidget::visibilityChanged,
+    this->Report, [this](bool shown) {
+      if (shown)
+      {
+        this->Report->Show();
+      }
+    });
   QObject::connect(
     this->Report, &ReportPanel::framesWanted, this->Shown, [this] { this->Shown->Draw(); });
   QObject::connect(this->Axes, &AxisMarker::lookWanted, this, &MainWindow::LookFrom);

@@ -78,6 +78,7 @@ public:
   void OpenSession(const QString& path);
   void SaveSession(const QString& path);
   void SavePicture(const PictureChoice& choice);
+  void CopyPicture();
   void SaveLayers(const LayersChoice& choice);
   ///@}
 

@@ -25,7 +25,9 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QClipboard>
 #include <QFileInfo>
+#include <QImage>
 #include <QMessageBox>
 #include <QProgressDialog>
 
@@ -225,6 +227,20 @@ void MainWindow::SavePicture(const PictureChoice& choice)
   {
     Write<vtkPNGWriter>(choice.Path, picture);
     this->SaySaved(choice.Path);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::CopyPicture()
+{
+  this->Shown->GetPicture().CheckShown("Copy picture");
+  if (const auto picture = this->Draw())
+  {
+    const int* size = picture->GetDimensions();
+    const auto* pixels = static_cast<const unsigned char*>(picture->GetScalarPointer());
+    const QImage image(pixels, size[0], size[1], 3 * size[0], QImage::Format_RGB888);
+    QApplication::clipboard()->setImage(image.mirrored()); // a copy, from the top row
+    this->Say("Copied: the picture");
   }
 }
 

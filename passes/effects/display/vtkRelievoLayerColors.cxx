@@ -5,6 +5,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+#include "vtkRelievoColorRange.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoLayerCatalogue.h"
 
@@ -32,10 +33,13 @@ Extremes GetFiniteExtremes(vtkDataArray* array, int component)
       extremes.To = std::max(extremes.To, value);
     }
   }
-  if (!(extremes.From < extremes.To))
+  if (relievo::IsOneValue(
+        { extremes.From, extremes.To }, relievo::GetRounding(array->GetDataType())))
   {
-    extremes.To = extremes.From + 1.0;
+    const std::array<double, 2> range = relievo::GetRangeOfOneValue(extremes.From);
+    return { range[0], range[1] };
   }
+  extremes.To = std::max(extremes.From, extremes.To); // no values: infinite
   return extremes;
 }
 
