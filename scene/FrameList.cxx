@@ -27,8 +27,8 @@ RenderOptions GetFrameOptions(const RenderOptions& options, int frame)
   }
   own.Motion.Turntable = 0; // one frame has a view
   own.Motion.Path.clear();
-  for (std::string RenderOptions::*name :
-    { &RenderOptions::PNG, &RenderOptions::EXR, &RenderOptions::Baseline, &RenderOptions::Report })
+  for (std::string RenderOptions::*name : { &RenderOptions::PNG, &RenderOptions::EXR,
+         &RenderOptions::Baseline, &RenderOptions::Gltf, &RenderOptions::Report })
   {
     own.*name = (own.*name).empty() ? "" : GetFrameName(own.*name, frame);
   }

@@ -441,9 +441,9 @@ void OnOutputs(const Outputs& outputs, Work work)
 }
 
 //------------------------------------------------------------------------------
-void WriteGltf(const DressedScene& dressed, const RenderOptions& options, Outputs& outputs)
+void WriteGltf(vtkRelievoGltfWriter* writer, const DressedScene& dressed,
+  const RenderOptions& options, Outputs& outputs)
 {
-  vtkNew<vtkRelievoGltfWriter> writer;
   writer->SetRenderer(dressed.GetRenderer());
   writer->SetFileName(outputs.Temporary(options.Gltf));
   writer->SetUpAxis(options.UpAxis);
@@ -590,7 +590,8 @@ vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* p
     }
     if (!options.Gltf.empty())
     {
-      WriteGltf(dressed, options, outputs);
+      const vtkNew<vtkRelievoGltfWriter> gltf;
+      WriteGltf(gltf, dressed, options, outputs);
     }
     if (!options.Report.empty())
     {
@@ -634,6 +635,51 @@ vtkSmartPointer<vtkImageData> ReadPicture(const RenderOptions& options)
   }
   return reader->GetOutput();
 }
+
+//------------------------------------------------------------------------------
+// One glTF file of all frames; nothing if none is requested.
+class Animation
+{
+public:
+  Animation(const DressedScene& dressed, const RenderOptions& options,
+    const std::vector<std::string>& inputs)
+    : Dressed(dressed)
+    , Options(options)
+    , IsWanted(
+        !options.Gltf.empty() && IsSequence(options) && GetFrameName(options.Gltf, 0).empty())
+  {
+    if (this->IsWanted)
+    {
+      this->File.Add("--gltf", options.Gltf, inputs);
+      this->Writer->SetRenderer(dressed.GetRenderer());
+    }
+  }
+
+  void Add(double seconds)
+  {
+    if (this->IsWanted)
+    {
+      Messages::Check(this->Options.Gltf, !this->Writer->AddKey(seconds), "cannot be written");
+    }
+  }
+
+  void Finish()
+  {
+    if (this->IsWanted)
+    {
+      OnOutputs(
+        this->File, [this] { WriteGltf(this->Writer, this->Dressed, this->Options, this->File); });
+      this->File.Commit();
+    }
+  }
+
+private:
+  const DressedScene& Dressed;
+  const RenderOptions& Options;
+  bool IsWanted;
+  vtkNew<vtkRelievoGltfWriter> Writer;
+  Outputs File;
+};
 
 //------------------------------------------------------------------------------
 // The film of a sequence; nothing if none is requested.
@@ -811,6 +857,7 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
     outputs->Commit();
   }
   Film film(options, inputs);
+  Animation animation(dressed, options, inputs);
   int kept = 0;
   for (int number = 0; number < frames; ++number)
   {
@@ -837,8 +884,10 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
       "rendering " + size + ", frame " + std::to_string(number + 1) + " of " +
         std::to_string(frames)));
     outputs->Commit();
+    animation.Add(own.Model.Time.value_or(number / options.Motion.FramesPerSecond));
   }
   film.Finish();
+  animation.Finish();
   if (kept > 0)
   {
     Messages::Note("--resume: " + std::to_string(kept) + " of " + std::to_string(frames) +

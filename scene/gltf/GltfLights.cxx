@@ -3,7 +3,6 @@
 #include "GltfLights.h"
 
 #include "GltfMaterials.h"
-#include "GltfMeshes.h"
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
@@ -115,6 +114,19 @@ std::vector<std::size_t> AddLights(GltfBuffer& buffer, vtkRenderer* renderer,
 }
 
 //------------------------------------------------------------------------------
+GltfPlace GetCameraPlace(vtkRenderer* renderer)
+{
+  glm::dvec3 at;
+  glm::dvec3 along;
+  glm::dvec3 up;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->GetPosition(&at.x);
+  camera->GetDirectionOfProjection(&along.x);
+  camera->GetViewUp(&up.x);
+  return Aim(at, along, up);
+}
+
+//------------------------------------------------------------------------------
 std::size_t AddCamera(GltfBuffer& buffer, vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -141,13 +153,7 @@ std::size_t AddCamera(GltfBuffer& buffer, vtkRenderer* renderer)
         { { "aspectRatio", aspect }, { "yfov", angle }, { "znear", range[0] }, { "zfar", far } } }
     };
   }
-  glm::dvec3 at;
-  glm::dvec3 along;
-  glm::dvec3 up;
-  camera->GetPosition(&at.x);
-  camera->GetDirectionOfProjection(&along.x);
-  camera->GetViewUp(&up.x);
-  Json node = Aim(at, along, up).GetNode("camera");
+  Json node = GetCameraPlace(renderer).GetNode("camera");
   node["camera"] = buffer.Append("cameras", std::move(written));
   return buffer.Append("nodes", std::move(node));
 }

@@ -7,6 +7,7 @@
 #define GltfLights_h
 
 #include "GltfBuffer.h"
+#include "GltfShape.h"
 #include "SceneNames.h"
 
 #include <glm/vec3.hpp>
@@ -23,6 +24,9 @@ namespace scene
 /// square of the distance keep their brightness. `isPBR`: whether a surface is. Returns the nodes.
 std::vector<std::size_t> AddLights(GltfBuffer& buffer, vtkRenderer* renderer,
   const glm::dvec3& center, bool isPBR, std::set<std::string>& notes);
+
+/// Where the active camera is, looking along -z.
+GltfPlace GetCameraPlace(vtkRenderer* renderer);
 
 /// Adds the active camera, and returns its node.
 std::size_t AddCamera(GltfBuffer& buffer, vtkRenderer* renderer);

@@ -5,28 +5,13 @@
 #include "GltfSurface.h"
 
 #include "vtkActor.h"
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkCellData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkProperty.h"
-#include "vtkTriangleFilter.h"
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <limits>
-#include <set>
-#include <unordered_map>
 #include <utility>
-#include <vector>
 
 namespace scene
 {
@@ -34,401 +19,254 @@ namespace
 {
 using Json = GltfBuffer::Json;
 
-// Numbers of the glTF 2 specification.
-enum Mode
+void AddVector(std::vector<float>& values, const glm::dvec3& vector)
 {
-  PointMode = 0,
-  LineMode = 1,
-  TriangleMode = 4
-};
-
-bool IsFinite(const glm::dvec3& v)
-{
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-// The cells of a surface in triangles, lines and points, with the number of the mesh's cell that
-// each is a part of.
-class Pieces
-{
-public:
-  explicit Pieces(const GltfSurface& surface)
-  {
-    vtkNew<vtkPolyData> copy;
-    copy->ShallowCopy(surface.Mesh);
-    vtkNew<vtkIdTypeArray> numbers;
-    numbers->SetName(NumbersName);
-    numbers->SetNumberOfValues(copy->GetNumberOfCells());
-    for (vtkIdType i = 0; i < numbers->GetNumberOfValues(); ++i)
-    {
-      numbers->SetValue(i, i);
-    }
-    copy->GetCellData()->AddArray(numbers);
-    this->Filter->SetInputData(copy);
-    this->Filter->Update();
-    this->Mesh = this->Filter->GetOutput();
-    this->Numbers =
-      vtkIdTypeArray::SafeDownCast(this->Mesh->GetCellData()->GetAbstractArray(NumbersName));
-  }
-
-  // Calls work(cell, corners) for each cell of verts, lines and polygons.
-  template <typename Work>
-  void ForVerts(Work&& work) const
-  {
-    this->For(this->Mesh->GetVerts(), 0, work);
-  }
-  template <typename Work>
-  void ForLines(Work&& work) const
-  {
-    this->For(this->Mesh->GetLines(), this->Mesh->GetNumberOfVerts(), work);
-  }
-  template <typename Work>
-  void ForTriangles(Work&& work) const
-  {
-    this->For(this->Mesh->GetPolys(),
-      this->Mesh->GetNumberOfVerts() + this->Mesh->GetNumberOfLines(), work);
-  }
-
-  vtkPolyData* GetMesh() const { return this->Mesh; }
-
-private:
-  static constexpr const char* NumbersName = "relievo cell";
-
-  template <typename Work>
-  void For(vtkCellArray* cells, vtkIdType first, Work&& work) const
-  {
-    auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
-    vtkIdType place = first;
-    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++place)
-    {
-      vtkIdType count = 0;
-      const vtkIdType* corners = nullptr;
-      it->GetCurrentCell(count, corners);
-      work(this->Numbers->GetValue(place), corners, count);
-    }
-  }
-
-  vtkNew<vtkTriangleFilter> Filter;
-  vtkPolyData* Mesh = nullptr;
-  vtkIdTypeArray* Numbers = nullptr;
-};
-
-// The vertices and indices of one primitive.
-class Primitive
-{
-public:
-  Primitive(const GltfSurface& surface, const Pieces& pieces, const glm::dmat4& baked, bool isLit)
-    : Surface(surface)
-    , Mesh(pieces.GetMesh())
-    , Baked(baked)
-  {
-    vtkPolyData* const mesh = this->Mesh;
-    vtkProperty* property = surface.Actor->GetProperty();
-    if (isLit && property->GetInterpolation() != VTK_FLAT)
-    {
-      this->PointNormals = mesh->GetPointData()->GetNormals();
-      this->CellNormals = this->PointNormals ? nullptr : surface.Mesh->GetCellData()->GetNormals();
-    }
-    this->Coordinates =
-      surface.Map ? surface.MapCoordinates.Get() : mesh->GetPointData()->GetTCoords();
-    if (this->Coordinates && this->Coordinates->GetNumberOfTuples() != mesh->GetNumberOfPoints())
-    {
-      this->Coordinates = nullptr;
-    }
-    this->ByCell =
-      this->CellNormals || (surface.Colors && surface.Of == GltfSurface::ColorsOf::Cells);
-    this->IsLinear = HasLinearColors(surface);
-  }
-
-  bool HasCoordinates() const { return this->Coordinates != nullptr; }
-  bool IsEmpty() const { return this->Indices.empty(); }
-
-  // Adds a cell at each of the surface's places, unless a corner is not finite.
-  void Add(vtkIdType cell, const vtkIdType* corners, vtkIdType count)
-  {
-    for (std::size_t place = 0; place < this->GetNumberOfPlaces(); ++place)
-    {
-      this->AddAt(place, cell, corners, count);
-    }
-  }
-
-  // Points relative to an origin that they are close to, as floats have about seven digits.
-  glm::dvec3 ChooseOrigin() const
-  {
-    glm::dvec3 low(std::numeric_limits<double>::max());
-    glm::dvec3 high = -low;
-    for (const glm::dvec3& point : this->Points)
-    {
-      low = glm::min(low, point);
-      high = glm::max(high, point);
-    }
-    constexpr double few = 16.; // sizes of the mesh, at which a float loses four of its 24 bits
-    const glm::dvec3 center = (low + high) / 2.;
-    return glm::length(center) > few * glm::length(high - low) ? center : glm::dvec3(0.);
-  }
-
-  Json Write(GltfBuffer& buffer, Mode mode, const glm::dvec3& origin) const
-  {
-    std::vector<float> positions;
-    positions.reserve(3 * this->Points.size());
-    for (const glm::dvec3& point : this->Points)
-    {
-      const glm::vec3 near(point - origin);
-      positions.insert(positions.end(), { near.x, near.y, near.z });
-    }
-    Json attributes = { { "POSITION", buffer.AddFloats(positions, 3, true, true) } };
-    if (!this->Normals.empty())
-    {
-      attributes["NORMAL"] = buffer.AddFloats(this->Normals, 3, true);
-    }
-    if (!this->Places.empty())
-    {
-      attributes["TEXCOORD_0"] = buffer.AddFloats(this->Places, 2, true);
-    }
-    if (!this->Colors.empty())
-    {
-      attributes["COLOR_0"] = buffer.AddColors(this->Colors);
-    }
-    return { { "attributes", attributes },
-      { "indices", buffer.AddIndices(this->Indices, this->Points.size()) }, { "mode", mode } };
-  }
-
-private:
-  std::size_t GetNumberOfPlaces() const
-  {
-    return this->Surface.Places ? this->Surface.Places->size() : 1;
-  }
-
-  void AddAt(std::size_t place, vtkIdType cell, const vtkIdType* corners, vtkIdType count)
-  {
-    const glm::dmat4 matrix =
-      this->Surface.Places ? this->Baked * (*this->Surface.Places)[place] : this->Baked;
-    std::array<std::uint32_t, 3> added{};
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      glm::dvec3 point;
-      this->Mesh->GetPoint(corners[i], &point.x);
-      point = glm::dvec3(matrix * glm::dvec4(point, 1.));
-      if (!IsFinite(point))
-      {
-        return;
-      }
-    }
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      added[static_cast<std::size_t>(i)] = this->AddVertex(place, matrix, cell, corners[i]);
-    }
-    this->Indices.insert(this->Indices.end(), added.begin(), added.begin() + count);
-  }
-
-  std::uint32_t AddVertex(
-    std::size_t place, const glm::dmat4& matrix, vtkIdType cell, vtkIdType point)
-  {
-    const auto next = static_cast<std::uint32_t>(this->Points.size());
-    if (!this->ByCell)
-    {
-      const auto [found, isNew] = this->Vertices.emplace(
-        static_cast<vtkIdType>(place) * this->Mesh->GetNumberOfPoints() + point, next);
-      if (!isNew)
-      {
-        return found->second;
-      }
-    }
-    glm::dvec3 at;
-    this->Mesh->GetPoint(point, &at.x);
-    this->Points.emplace_back(matrix * glm::dvec4(at, 1.));
-    vtkDataArray* normals = this->PointNormals ? this->PointNormals : this->CellNormals;
-    if (normals)
-    {
-      glm::dvec3 normal;
-      normals->GetTuple(this->PointNormals ? point : cell, &normal.x);
-      normal = glm::transpose(glm::inverse(glm::dmat3(matrix))) * normal;
-      const double length = glm::length(normal);
-      // glTF has unit vectors alone.
-      const glm::vec3 unit(
-        length > 0. && std::isfinite(length) ? normal / length : glm::dvec3(0., 0., 1.));
-      this->Normals.insert(this->Normals.end(), { unit.x, unit.y, unit.z });
-    }
-    if (this->Coordinates)
-    {
-      const double u = this->Coordinates->GetComponent(point, 0);
-      const double v = this->Coordinates->GetNumberOfComponents() > 1
-        ? this->Coordinates->GetComponent(point, 1)
-        : 0.;
-      this->Places.insert(
-        this->Places.end(), { static_cast<float>(u), static_cast<float>(1. - v) });
-    }
-    if (this->Surface.Colors)
-    {
-      const vtkIdType tuple = this->Surface.Of == GltfSurface::ColorsOf::Cells ? cell
-        : this->Surface.Of == GltfSurface::ColorsOf::Places ? (*this->Surface.Points)[place]
-                                                            : point;
-      for (int i = 0; i < 4; ++i)
-      {
-        const double level = this->Surface.Colors->GetComponent(tuple, i) / 255.;
-        const double light = ToLinear(level, i == 3 || this->IsLinear);
-        this->Colors.push_back(static_cast<std::uint16_t>(std::lround(65535. * light)));
-      }
-    }
-    return next;
-  }
-
-  const GltfSurface& Surface;
-  vtkPolyData* Mesh;
-  glm::dmat4 Baked;
-  vtkDataArray* PointNormals = nullptr;
-  vtkDataArray* CellNormals = nullptr;
-  vtkDataArray* Coordinates = nullptr;
-  bool ByCell = false; // no two cells share a vertex
-  bool IsLinear = false;
-  std::unordered_map<vtkIdType, std::uint32_t> Vertices;
-  std::vector<glm::dvec3> Points;
-  std::vector<float> Normals, Places;
-  std::vector<std::uint16_t> Colors;
-  std::vector<std::uint32_t> Indices;
-};
-}
-
-//------------------------------------------------------------------------------
-std::optional<GltfPlace> GltfPlace::Find(const glm::dmat4& matrix)
-{
-  GltfPlace place;
-  place.Translation = glm::dvec3(matrix[3]);
-  glm::dmat3 axes(matrix);
   for (int i = 0; i < 3; ++i)
   {
-    place.Scale[i] = glm::length(axes[i]);
-    axes[i] /= place.Scale[i];
+    values.push_back(static_cast<float>(vector[i]));
   }
-  constexpr double round = 1e-6;
-  const double shear = std::max({ std::abs(glm::dot(axes[0], axes[1])),
-    std::abs(glm::dot(axes[1], axes[2])), std::abs(glm::dot(axes[2], axes[0])) });
-  if (!(shear <= round)) // or NaN
+}
+
+Json WritePrimitive(const GltfPrimitive& primitive, const glm::dvec3& origin, GltfBuffer& buffer)
+{
+  std::vector<float> positions;
+  positions.reserve(3 * primitive.Positions.size());
+  for (const glm::dvec3& point : primitive.Positions)
   {
-    return std::nullopt;
+    AddVector(positions, point - origin);
   }
-  if (glm::determinant(axes) < 0.)
+  Json attributes = { { "POSITION", buffer.AddFloats(positions, 3, true, true) } };
+  if (!primitive.Normals.empty())
   {
-    place.Scale.x = -place.Scale.x;
-    axes[0] = -axes[0];
+    attributes["NORMAL"] = buffer.AddFloats(primitive.Normals, 3, true);
   }
-  const glm::dquat rotation = glm::normalize(glm::quat_cast(axes));
-  place.Rotation = { rotation.x, rotation.y, rotation.z, rotation.w };
-  return place;
+  if (!primitive.Coordinates.empty())
+  {
+    attributes["TEXCOORD_0"] = buffer.AddFloats(primitive.Coordinates, 2, true);
+  }
+  if (!primitive.Colors.empty())
+  {
+    attributes["COLOR_0"] = buffer.AddColors(primitive.Colors);
+  }
+  return { { "attributes", attributes },
+    { "indices", buffer.AddIndices(primitive.Indices, primitive.Positions.size()) },
+    { "mode", static_cast<int>(primitive.Mode) } };
+}
+
+// Whether vertices of the keys differ from the shape's in their places alone.
+bool HasVerticesOf(const GltfShape& shape, const GltfShape& key)
+{
+  return std::equal(shape.Primitives.begin(), shape.Primitives.end(), key.Primitives.begin(),
+    key.Primitives.end(), [](const GltfPrimitive& a, const GltfPrimitive& b) {
+      return a.Mode == b.Mode && a.Indices == b.Indices &&
+        a.Positions.size() == b.Positions.size() && a.Normals.size() == b.Normals.size();
+    });
+}
+
+bool IsStill(const GltfShape& shape, const std::vector<const GltfShape*>& keys)
+{
+  return std::all_of(keys.begin(), keys.end(), [&shape](const GltfShape* key) {
+    return std::equal(shape.Primitives.begin(), shape.Primitives.end(), key->Primitives.begin(),
+      key->Primitives.end(), [](const GltfPrimitive& a, const GltfPrimitive& b) {
+        return a.Positions == b.Positions && a.Normals == b.Normals;
+      });
+  });
+}
 }
 
 //------------------------------------------------------------------------------
-GltfBuffer::Json GltfPlace::GetNode(const std::string& name) const
+GltfMeshes::GltfMeshes(GltfBuffer& buffer, GltfMaterials& materials, std::set<std::string>& notes,
+  const std::vector<double>& times)
+  : Buffer(buffer)
+  , Materials(materials)
+  , Notes(notes)
+  , Times(times)
 {
-  Json node;
-  if (!name.empty())
-  {
-    node["name"] = name;
-  }
-  if (this->Translation != glm::dvec3(0.))
-  {
-    node["translation"] = { this->Translation.x, this->Translation.y, this->Translation.z };
-  }
-  if (this->Rotation != glm::dvec4(0., 0., 0., 1.))
-  {
-    node["rotation"] = { this->Rotation.x, this->Rotation.y, this->Rotation.z, this->Rotation.w };
-  }
-  if (this->Scale != glm::dvec3(1.))
-  {
-    node["scale"] = { this->Scale.x, this->Scale.y, this->Scale.z };
-  }
-  return node;
 }
 
 //------------------------------------------------------------------------------
-std::optional<std::size_t> GltfMeshes::Add(const GltfSurface& surface, const std::string& name)
+std::size_t GltfMeshes::GetTimes()
 {
-  const std::optional<GltfPlace> found = GltfPlace::Find(surface.MeshToWorld);
-  GltfPlace place = found.value_or(GltfPlace());
-  const glm::dmat4 baked = found ? glm::dmat4(1.) : surface.MeshToWorld;
-  vtkProperty* property = surface.Actor->GetProperty();
-  const Pieces pieces(surface);
-  Primitive triangles(surface, pieces, baked, true);
-  Primitive lines(surface, pieces, baked, false);
-  Primitive points(surface, pieces, baked, false);
-  const auto addCorners = [&points](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
-    for (vtkIdType i = 0; i < count; ++i)
+  if (!this->TimesAccessor)
+  {
+    // glTF's times begin at 0 or later.
+    const double first = this->Times.front();
+    std::vector<float> times;
+    for (const double time : this->Times)
     {
-      points.Add(cell, corners + i, 1);
+      times.push_back(static_cast<float>(first < 0. ? time - first : time));
     }
+    this->TimesAccessor = this->Buffer.AddFloats(times, 1, false, true);
+  }
+  return *this->TimesAccessor;
+}
+
+//------------------------------------------------------------------------------
+void GltfMeshes::AddChannel(
+  std::size_t node, const char* path, const std::vector<float>& values, std::size_t components)
+{
+  this->Channels.push_back(
+    { { "sampler", this->Samplers.size() }, { "target", { { "node", node }, { "path", path } } } });
+  const std::size_t input = this->GetTimes();
+  this->Samplers.push_back(
+    { { "input", input }, { "output", this->Buffer.AddFloats(values, components, false) },
+      { "interpolation", "LINEAR" } });
+}
+
+//------------------------------------------------------------------------------
+void GltfMeshes::Move(std::size_t node, const std::vector<GltfPlace>& places)
+{
+  const auto differ = [&places](const auto& part) {
+    return std::any_of(places.begin(), places.end(),
+      [&](const GltfPlace& place) { return part(place) != part(places.front()); });
   };
-  pieces.ForVerts(addCorners);
-  if (property->GetRepresentation() == VTK_POINTS)
+  const auto translation = [](const GltfPlace& place) { return place.Translation; };
+  const auto scale = [](const GltfPlace& place) { return place.Scale; };
+  if (differ(translation))
   {
-    pieces.ForLines(addCorners);
-    pieces.ForTriangles(addCorners);
+    std::vector<float> values;
+    for (const GltfPlace& place : places)
+    {
+      AddVector(values, place.Translation);
+    }
+    this->AddChannel(node, "translation", values, 3);
   }
-  else
+  if (differ([](const GltfPlace& place) { return place.Rotation; }))
   {
-    const auto addLine = [&lines](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
-      lines.Add(cell, corners, count);
-    };
-    pieces.ForLines(addLine);
-    if (property->GetRepresentation() == VTK_WIREFRAME)
+    std::vector<float> values;
+    glm::dvec4 before = places.front().Rotation;
+    for (const GltfPlace& place : places)
     {
-      std::set<std::pair<vtkIdType, vtkIdType>> edges;
-      pieces.ForTriangles([&](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
-        for (vtkIdType i = 0; i < count; ++i)
-        {
-          const vtkIdType ends[2] = { corners[i], corners[(i + 1) % count] };
-          if (edges.insert(std::minmax(ends[0], ends[1])).second)
-          {
-            addLine(cell, ends, 2);
-          }
-        }
-      });
+      // Of the two quaternions of a rotation, the one closer to the key before.
+      before = glm::dot(before, place.Rotation) < 0. ? -place.Rotation : place.Rotation;
+      for (int i = 0; i < 4; ++i)
+      {
+        values.push_back(static_cast<float>(before[i]));
+      }
     }
-    else
-    {
-      pieces.ForTriangles([&](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
-        triangles.Add(cell, corners, count);
-      });
-    }
+    this->AddChannel(node, "rotation", values, 4);
   }
-  if (property->GetEdgeVisibility())
+  if (differ(scale))
+  {
+    std::vector<float> values;
+    for (const GltfPlace& place : places)
+    {
+      AddVector(values, place.Scale);
+    }
+    this->AddChannel(node, "scale", values, 3);
+  }
+}
+
+//------------------------------------------------------------------------------
+// A target for each key, whose weight is 1 at its time, and 0 at the other keys.
+void GltfMeshes::AddMorphs(
+  Json& mesh, const GltfShape& shape, const std::vector<const GltfShape*>& keys)
+{
+  for (std::size_t i = 0; i < shape.Primitives.size(); ++i)
+  {
+    const GltfPrimitive& rest = shape.Primitives[i];
+    Json targets = Json::array();
+    for (const GltfShape* key : keys)
+    {
+      const GltfPrimitive& moved = key->Primitives[i];
+      std::vector<float> positions;
+      for (std::size_t j = 0; j < rest.Positions.size(); ++j)
+      {
+        AddVector(positions, moved.Positions[j] - rest.Positions[j]);
+      }
+      Json target = { { "POSITION", this->Buffer.AddFloats(positions, 3, true, true) } };
+      if (!rest.Normals.empty())
+      {
+        std::vector<float> normals(rest.Normals.size());
+        std::transform(moved.Normals.begin(), moved.Normals.end(), rest.Normals.begin(),
+          normals.begin(), [](float a, float b) { return a - b; });
+        target["NORMAL"] = this->Buffer.AddFloats(normals, 3, true);
+      }
+      targets.push_back(std::move(target));
+    }
+    mesh["primitives"][i]["targets"] = std::move(targets);
+  }
+  mesh["weights"] = std::vector<double>(keys.size(), 0.);
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::size_t> GltfMeshes::Add(const GltfSurface& surface, const GltfShape& shape,
+  const std::string& name, const std::vector<const GltfShape*>& keys)
+{
+  if (surface.Actor->GetProperty()->GetEdgeVisibility())
   {
     this->Notes.insert("edges are left out: glTF has none on surfaces");
   }
-  const std::pair<Primitive*, Mode> all[] = { { &triangles, TriangleMode }, { &lines, LineMode },
-    { &points, PointMode } };
-  Json primitives = Json::array();
-  std::optional<glm::dvec3> origin;
-  for (const auto& [primitive, mode] : all)
-  {
-    if (primitive->IsEmpty())
-    {
-      continue;
-    }
-    origin = origin.value_or(primitive->ChooseOrigin());
-    Json written = primitive->Write(this->Buffer, mode, *origin);
-    written["material"] =
-      this->Materials.Find(surface, primitive->HasCoordinates(), mode == TriangleMode);
-    primitives.push_back(std::move(written));
-  }
-  if (primitives.empty())
+  if (shape.Primitives.empty())
   {
     return std::nullopt;
+  }
+  const glm::dvec3 origin = shape.ChooseOrigin();
+  Json primitives = Json::array();
+  for (const GltfPrimitive& primitive : shape.Primitives)
+  {
+    Json written = WritePrimitive(primitive, origin, this->Buffer);
+    written["material"] = this->Materials.Find(
+      surface, !primitive.Coordinates.empty(), primitive.Mode == GltfPrimitive::Triangles);
+    primitives.push_back(std::move(written));
   }
   Json mesh = { { "primitives", primitives } };
   if (!name.empty())
   {
     mesh["name"] = name;
   }
-  if (found)
+  const bool isFollowed = std::all_of(keys.begin(), keys.end(), [&shape](const GltfShape* key) {
+    return key && key->IsPlaced == shape.IsPlaced && HasVerticesOf(shape, *key);
+  });
+  if (!isFollowed)
   {
-    place.Translation = glm::dvec3(surface.MeshToWorld * glm::dvec4(*origin, 1.));
+    this->Notes.insert((name.empty() ? "a mesh" : name) +
+      " rests: it is not the same mesh, with other points, at each time");
   }
-  else
+  const bool isMorphed = isFollowed && !IsStill(shape, keys);
+  if (isMorphed)
   {
-    place.Translation = *origin;
+    this->AddMorphs(mesh, shape, keys);
   }
-  Json node = place.GetNode(name);
+  const auto placed = [&origin](const GltfShape& of) {
+    GltfPlace place = of.Place;
+    place.Translation += place.Turn(origin);
+    return place;
+  };
+  Json node = placed(shape).GetNode(name);
   node["mesh"] = this->Buffer.Append("meshes", std::move(mesh));
-  return this->Buffer.Append("nodes", std::move(node));
+  const std::size_t made = this->Buffer.Append("nodes", std::move(node));
+  if (isFollowed && !keys.empty())
+  {
+    std::vector<GltfPlace> places;
+    for (const GltfShape* key : keys)
+    {
+      places.push_back(placed(*key));
+    }
+    this->Move(made, places);
+  }
+  if (isMorphed)
+  {
+    std::vector<float> weights;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+    {
+      for (std::size_t j = 0; j < keys.size(); ++j)
+      {
+        weights.push_back(i == j ? 1.F : 0.F);
+      }
+    }
+    this->AddChannel(made, "weights", weights, 1);
+  }
+  return made;
+}
+
+//------------------------------------------------------------------------------
+void GltfMeshes::Finish()
+{
+  if (!this->Channels.empty())
+  {
+    this->Buffer.Append(
+      "animations", { { "channels", this->Channels }, { "samplers", this->Samplers } });
+  }
 }
 }

@@ -7,6 +7,7 @@
 #include "GltfLights.h"
 #include "GltfMaterials.h"
 #include "GltfMeshes.h"
+#include "GltfShape.h"
 #include "GltfSurface.h"
 
 #include "vtkActor.h"
@@ -22,9 +23,11 @@
 #include "vtkVolume.h"
 
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 vtkStandardNewMacro(vtkRelievoGltfWriter);
 
@@ -67,22 +70,21 @@ struct Contents
   std::size_t Surfaces = 0;
 };
 
-Contents MakeContents(
-  vtkRenderer* renderer, const glm::dmat4& upright, const std::map<int, std::string>& names)
+// A surface of the scene, with the name of its actor.
+struct Drawn
 {
-  Contents contents;
-  GltfBuffer& buffer = contents.Buffer;
-  buffer.Document["asset"] = { { "version", "2.0" },
-    { "generator", std::string("Relievo ") + RELIEVO_VERSION } };
-  scene::GltfMaterials materials(buffer, contents.Notes);
-  scene::GltfMeshes meshes(buffer, materials, contents.Notes);
-  vtkRelievoGlyphPlaces glyphs(vtkRelievoGlyphPlaces::Numbers::Exact);
+  scene::GltfSurface Surface;
+  std::string Name;
+};
+
+std::vector<Drawn> CollectDrawn(vtkRenderer* renderer, const std::map<int, std::string>& names,
+  vtkRelievoGlyphPlaces& glyphs, std::set<std::string>& notes)
+{
   const auto nameOf = [&](vtkActor* actor) {
     const auto found = names.find(renderer->GetActors()->IsItemPresent(actor) - 1);
     return found == names.end() ? std::string() : found->second;
   };
-  std::vector<std::size_t> roots;
-  bool isPBR = false;
+  std::vector<Drawn> drawn;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator it;
   props->InitTraversal(it);
@@ -98,7 +100,7 @@ Contents MakeContents(
     {
       if (vtkVolume::SafeDownCast(part.Prop))
       {
-        contents.Notes.insert("volumes are left out: glTF has none");
+        notes.insert("volumes are left out: glTF has none");
       }
       vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
       if (!actor || !actor->GetVisibility() || vtkRelievoPropParts::IsAnnotation(actor))
@@ -110,17 +112,49 @@ Contents MakeContents(
       const std::string trouble = scene::CollectSurfaces(actor, part.Matrix, glyphs, surfaces);
       if (!trouble.empty())
       {
-        contents.Notes.insert((name.empty() ? "an actor" : name) + " is left out: " + trouble);
+        notes.insert((name.empty() ? "an actor" : name) + " is left out: " + trouble);
       }
       for (const scene::GltfSurface& surface : surfaces)
       {
-        if (const auto node = meshes.Add(surface, name))
-        {
-          roots.push_back(*node);
-          ++contents.Surfaces;
-          isPBR = isPBR || scene::HasLinearColors(surface);
-        }
+        drawn.push_back({ surface, name });
       }
+    }
+  }
+  return drawn;
+}
+
+Contents MakeContents(vtkRenderer* renderer, const glm::dmat4& upright,
+  const std::map<int, std::string>& names, const std::vector<scene::GltfKey>& keys)
+{
+  Contents contents;
+  GltfBuffer& buffer = contents.Buffer;
+  buffer.Document["asset"] = { { "version", "2.0" },
+    { "generator", std::string("Relievo ") + RELIEVO_VERSION } };
+  std::vector<double> times;
+  std::vector<scene::GltfPlace> cameras;
+  for (const scene::GltfKey& key : keys)
+  {
+    times.push_back(key.Seconds);
+    cameras.push_back(key.Camera);
+  }
+  scene::GltfMaterials materials(buffer, contents.Notes);
+  scene::GltfMeshes meshes(buffer, materials, contents.Notes, times);
+  vtkRelievoGlyphPlaces glyphs(vtkRelievoGlyphPlaces::Numbers::Exact);
+  std::vector<std::size_t> roots;
+  bool isPBR = false;
+  for (const Drawn& one : CollectDrawn(renderer, names, glyphs, contents.Notes))
+  {
+    std::vector<const scene::GltfShape*> moments;
+    for (const scene::GltfKey& key : keys)
+    {
+      const auto found = key.Shapes.find({ one.Surface.Actor, one.Surface.Number });
+      moments.push_back(found == key.Shapes.end() ? nullptr : &found->second);
+    }
+    if (const auto node = meshes.Add(one.Surface, scene::GltfShape(one.Surface), one.Name, moments))
+    {
+      roots.push_back(*node);
+      ++contents.Surfaces;
+      isPBR = isPBR || scene::HasLinearColors(one.Surface);
     }
   }
   contents.Linear = materials.GetLinear();
@@ -133,6 +167,11 @@ Contents MakeContents(
     roots.push_back(node);
   }
   roots.push_back(scene::AddCamera(buffer, renderer));
+  if (!cameras.empty())
+  {
+    meshes.Move(roots.back(), cameras);
+  }
+  meshes.Finish();
   if (upright != glm::dmat4(1.))
   {
     Json turned = scene::GltfPlace::Find(upright)->GetNode("up");
@@ -144,11 +183,13 @@ Contents MakeContents(
   return contents;
 }
 
-// The file with surfaces unlit that are not PBR in the scene: it shows their colours unchanged.
+// The file at rest, with surfaces unlit that are not PBR in the scene: it shows their colours
+// unchanged.
 std::vector<unsigned char> MakeUnlit(const Contents& contents)
 {
   GltfBuffer buffer = contents.Buffer;
   buffer.Use("KHR_materials_unlit");
+  buffer.Document.erase("animations");
   Json& materials = buffer.Document["materials"];
   for (std::size_t i = 0; i < materials.size(); ++i)
   {
@@ -162,7 +203,17 @@ std::vector<unsigned char> MakeUnlit(const Contents& contents)
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoGltfWriter::vtkRelievoGltfWriter() = default;
+class vtkRelievoGltfWriter::Internals
+{
+public:
+  std::vector<scene::GltfKey> Keys;
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoGltfWriter::vtkRelievoGltfWriter()
+  : Internal(std::make_unique<Internals>())
+{
+}
 
 //------------------------------------------------------------------------------
 vtkRelievoGltfWriter::~vtkRelievoGltfWriter() = default;
@@ -176,6 +227,7 @@ void vtkRelievoGltfWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UpAxis: " << this->UpAxis << "\n";
   os << indent << "Check: " << this->Check << "\n";
   os << indent << "Names: " << this->Names.size() << "\n";
+  os << indent << "Keys: " << this->Internal->Keys.size() << "\n";
   os << indent << "Notes: " << this->Notes.size() << "\n";
   os << indent << "SystemError: " << this->SystemError << "\n";
 }
@@ -224,6 +276,41 @@ std::string vtkRelievoGltfWriter::GetNote(int i)
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoGltfWriter::AddKey(double seconds)
+{
+  std::vector<scene::GltfKey>& keys = this->Internal->Keys;
+  if (!this->Renderer || !std::isfinite(seconds) ||
+    (!keys.empty() && !(seconds > keys.back().Seconds)))
+  {
+    vtkErrorMacro("AddKey was given "
+      << seconds
+      << " seconds; give it a renderer with SetRenderer, and a time "
+         "later than those before.");
+    return false;
+  }
+  scene::GltfKey key;
+  key.Seconds = seconds;
+  key.Camera = scene::GetCameraPlace(this->Renderer);
+  std::set<std::string> notes; // those of Write() are the same
+  vtkRelievoGlyphPlaces glyphs(vtkRelievoGlyphPlaces::Numbers::Exact);
+  for (const Drawn& one : CollectDrawn(this->Renderer, this->Names, glyphs, notes))
+  {
+    key.Shapes.emplace(
+      std::make_pair(one.Surface.Actor, one.Surface.Number), scene::GltfShape(one.Surface));
+  }
+  keys.push_back(std::move(key));
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGltfWriter::RemoveAllKeys()
+{
+  this->Internal->Keys.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoGltfWriter::Write()
 {
   this->Notes.clear();
@@ -236,7 +323,8 @@ bool vtkRelievoGltfWriter::Write()
   }
   this->Renderer->GetRenderWindow()->Render(); // places lights that follow the camera
   const glm::dmat4 upright = MakeUpright(this->UpAxis);
-  const Contents contents = MakeContents(this->Renderer, upright, this->Names);
+  const Contents contents =
+    MakeContents(this->Renderer, upright, this->Names, this->Internal->Keys);
   this->Notes.assign(contents.Notes.begin(), contents.Notes.end());
   if (contents.Surfaces == 0)
   {

@@ -6,7 +6,9 @@
  *
  * The file has the visible actors: meshes, composite data, assemblies and glyphs as triangles,
  * lines and points with their normals; colours mapped from arrays; textures; materials; the lights
- * that are on; the camera. It shows the scene as it is now; AddKey() adds an animation.
+ * that are on; the camera. It shows the scene as it is when Write() is called. AddKey(), called
+ * before for some moments of the scene, adds an animation: places of actors and of the camera, and
+ * points (as morph targets, one for each key), all linear between the keys.
  *
  * Colours: those of points are written as linear colours of 16 bits, those of cells with points of
  * their own for each cell, and colour maps of a mapper that interpolates values
@@ -39,6 +41,7 @@
 #include "vtkSmartPointer.h"       // for the renderer
 
 #include <map>    // for names
+#include <memory> // for the keys
 #include <string> // for names
 #include <vector> // for notes
 
@@ -82,6 +85,15 @@ public:
   std::string GetObjectName(int actor);
   ///@}
 
+  ///@{
+  /**
+   * Adds the scene as it is now to the animation, at a time in seconds, later than those before.
+   * Actors whose meshes do not keep their cells rest, with a note. False after an error.
+   */
+  bool AddKey(double seconds);
+  void RemoveAllKeys();
+  ///@}
+
   /** Writes the file. False after an error. */
   bool Write();
 
@@ -102,6 +114,8 @@ private:
   vtkRelievoGltfWriter(const vtkRelievoGltfWriter&) = delete;
   void operator=(const vtkRelievoGltfWriter&) = delete;
 
+  class Internals;
+  const std::unique_ptr<Internals> Internal;
   vtkSmartPointer<vtkRenderer> Renderer;
   std::string FileName;
   std::map<int, std::string> Names;

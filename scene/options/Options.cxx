@@ -631,9 +631,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     .OfOutputs = true;
   vtkRelievoOption& turn = rows.Add("--turntable", "N",
     "draws N frames while the camera goes once around the scene, about the up axis, "
-    "counter-clockwise seen from above; the names of --png, --exr, --baseline, --gltf and --report "
-    "must contain %d or %04d, the frame number from 0. The fitted camera sees the scene in all "
-    "frames",
+    "counter-clockwise seen from above; the names of --png, --exr, --baseline and --report must "
+    "contain %d or %04d, the frame number from 0. The fitted camera sees the scene in all frames",
     [](RenderOptions& options, const std::string& word) {
       options.Motion.Turntable = ParseWhole("--turntable", word, 2, 1000000);
     });
@@ -687,7 +686,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     .OfOutputs = true;
   vtkRelievoOption& gltf = rows.Add("--gltf", "F",
     "glTF: the scene's surfaces with their colours, materials, lights and camera, in one .glb file "
-    "that is read again and compared with the scene",
+    "that is read again and compared with the scene. With --times, --turntable or --camera-path a "
+    "name without %d holds all frames as an animation",
     [](RenderOptions& options, const std::string& word) {
       options.Gltf = NamedAs(".glb", "--gltf", word);
     });

@@ -128,6 +128,11 @@ void CheckSequence(const RenderOptions& options, const std::set<std::string>& gi
         "--resume and --video: a film is made of kept frames from their PNG files: give --png F "
         "as well");
     }
+    if (!options.Gltf.empty() && GetFrameName(options.Gltf, 0).empty())
+    {
+      throw UsageError("--resume and --gltf: one file holds all frames: give --gltf a name with %d, "
+                       "or leave out --resume");
+    }
     if (std::any_of(options.Layers.begin(), options.Layers.end(),
           [](const std::string& layer) { return vtkRelievoRayLayers::IsFlow(layer.c_str()); }))
     {
@@ -136,7 +141,8 @@ void CheckSequence(const RenderOptions& options, const std::set<std::string>& gi
   }
   for (const auto& [option, path] : places)
   {
-    if (!path.empty() && GetFrameName(path, 0).empty())
+    // One glTF file may hold all frames.
+    if (!path.empty() && path != options.Gltf && GetFrameName(path, 0).empty())
     {
       RefuseValue(option, path,
         std::string("a name with %d or %04d once, the number of the frame, as ") +

@@ -10,7 +10,7 @@ import unittest
 import numpy
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkElevationFilter
 from vtkmodules.vtkFiltersSources import (
     vtkConeSource,
@@ -673,6 +673,39 @@ class Written(GltfTest):
         cones, half = self.write()[0].primitives()
         self.assertEqual(len(cones.points), 3 * (6 + 4))  # a base of six corners in four triangles
         self.assertGreater(half.points[..., 0].min(), -1e-6)
+
+    def test_animation(self):
+        """A moved actor and one whose points move, by the evaluator at and between the keys."""
+        moved, waving = self.add(self.sphere()), self.add(self.sphere())
+        data = vtkPolyData()
+        waving.GetMapper().GetInputAlgorithm().Update()
+        data.DeepCopy(waving.GetMapper().GetInput())
+        waving.GetMapper().SetInputDataObject(data)
+        rest = vtk_to_numpy(data.GetPoints().GetData()).copy()
+        writer = relievo.vtkRelievoGltfWriter()
+        writer.SetRenderer(self.renderer)
+        writer.SetFileName(self.path)
+        self.renderer.ResetCamera()
+        bent = [rest * (1 + 0.2 * i) + [0, 0, 2] for i in range(3)]
+        matrices = []
+        for i, points in enumerate(bent):
+            moved.SetPosition(i, 0, 0)
+            moved.SetOrientation(0, 30 * i, 0)
+            matrices.append([moved.GetMatrix().GetElement(*divmod(k, 4)) for k in range(16)])
+            data.GetPoints().SetData(numpy_to_vtk(points.astype(numpy.float32), deep=True))
+            data.Modified()
+            self.assertTrue(writer.AddKey(0.5 * i))
+        self.assertTrue(writer.Write())
+        self.assertEqual(writer.GetNumberOfNotes(), 0)
+        cells = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        for i in range(3):
+            first, second = Scene(self.path, animation=0, time=0.5 * i).primitives()
+            matrix = numpy.array(matrices[i]).reshape(4, 4)
+            wanted = rest[cells] @ matrix[:3, :3].T + matrix[:3, 3]
+            self.assertLess(numpy.abs(first.points - wanted).max(), 2e-6)
+            self.assertLess(numpy.abs(second.points - bent[i][cells]).max(), 2e-6)
+        _, between = Scene(self.path, animation=0, time=0.25).primitives()
+        self.assertLess(numpy.abs(between.points - (bent[0] + bent[1])[cells] / 2).max(), 2e-6)
 
     def test_a_file_of_another_scene_is_not_kept(self):
         actor = self.add(self.sphere())
