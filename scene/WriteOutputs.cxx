@@ -528,8 +528,9 @@ vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* p
     }
     else if (options.Lens.empty())
     {
-      const bool isDrawn = baseline && !options.WantsPicture() && options.Report.empty();
-      // Unless it is drawn already.
+      const bool isDrawn =
+        (baseline || !options.Gltf.empty()) && !options.WantsPicture() && options.Report.empty();
+      // Unless it is drawn already, or by the writer of glTF.
       if ((options.EXR.empty() && !isDrawn) || (options.HDR && options.WantsPicture()))
       {
         window->Render();
@@ -588,17 +589,17 @@ vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* p
     {
       WriteEXR(baseline, options.Baseline, outputs, progress);
     }
-    if (!options.Gltf.empty())
-    {
-      const vtkNew<vtkRelievoGltfWriter> gltf;
-      WriteGltf(gltf, dressed, options, outputs);
-    }
     if (!options.Report.empty())
     {
       WriteReport(pass,
         options.Lens.empty() ? GetCalibration(renderer, options.Size.data())
                              : vtkSmartPointer<vtkFieldData>(seen->GetFieldData()),
         options, outputs);
+    }
+    if (!options.Gltf.empty()) // last: it draws other frames
+    {
+      const vtkNew<vtkRelievoGltfWriter> gltf;
+      WriteGltf(gltf, dressed, options, outputs);
     }
     for (const std::string& warning : Messages::TakeWarnings())
     {

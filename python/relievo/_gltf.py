@@ -47,7 +47,8 @@ def write_gltf(path, thing, up=None, names=None, check=True) -> list:
     name_objects(writer, renderer, thing, names)
     found = kept(renderer)
     held = nullcontext() if found is None else found.held()
-    with held, _window_of(renderer, (512, 512) if made else None):
+    size = (512, 512) if made or renderer.GetRenderWindow() is None else None
+    with held, _window_of(renderer, size):
         if made:
             renderer.ResetCamera()
         view_up = [abs(each) for each in renderer.GetActiveCamera().GetViewUp()]

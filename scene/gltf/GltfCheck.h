@@ -10,17 +10,22 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <set>
 #include <string>
+#include <vector>
 
+class vtkActor;
 class vtkRenderer;
 
 namespace scene
 {
-/// Draws the file's surfaces from the renderer's camera. In the file, surfaces that are not PBR in
+/// Draws the file's surfaces from the renderer's camera, and compares opaque surfaces. In the file, surfaces that are not PBR in
 /// the scene must be unlit, so that both have their colours as drawn. `toFile` takes the scene's
-/// coordinates to the file's. Returns what differs: nothing, or a part of a sentence.
-std::string FindDifference(
-  vtkRenderer* renderer, const std::string& file, const glm::dmat4& toFile);
+/// coordinates to the file's. `actors`: the actor of each primitive of the file. `partial`: actors
+/// that the file has in part only, or not at all; they are not compared. Returns what differs:
+/// nothing, or a part of a sentence.
+std::string FindDifference(vtkRenderer* renderer, const std::string& file, const glm::dmat4& toFile,
+  const std::vector<vtkActor*>& actors, const std::set<vtkActor*>& partial);
 }
 
 #endif

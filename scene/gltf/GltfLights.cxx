@@ -64,8 +64,16 @@ std::vector<std::size_t> AddLights(GltfBuffer& buffer, vtkRenderer* renderer,
     glm::dvec3 to;
     light->GetTransformedPosition(&at.x);
     light->GetTransformedFocalPoint(&to.x);
-    if (at == to)
+    const bool isSpot = light->GetPositional() && light->GetConeAngle() < 90.;
+    glm::dvec3 along = to - at;
+    if (!(glm::length(along) > 0.) && light->GetPositional() && !isSpot)
     {
+      along = glm::dvec3(0., 0., -1.); // a point light has no direction
+    }
+    if (!(glm::length(along) > 0.) || !std::isfinite(glm::length(at) + glm::length(along)) ||
+      (isSpot && !(light->GetConeAngle() > 0.)))
+    {
+      notes.insert("a light without a direction or a cone is left out");
       continue;
     }
     const double* color = light->GetDiffuseColor();
@@ -85,7 +93,6 @@ std::vector<std::size_t> AddLights(GltfBuffer& buffer, vtkRenderer* renderer,
         notes.insert("lights fall off with the square of the distance, as glTF has them");
       }
       intensity *= GetAttenuation(light, distance) * distance * distance;
-      const bool isSpot = light->GetConeAngle() < 90.;
       written["type"] = isSpot ? "spot" : "point";
       if (isSpot)
       {
@@ -100,7 +107,7 @@ std::vector<std::size_t> AddLights(GltfBuffer& buffer, vtkRenderer* renderer,
       written["type"] = "directional";
     }
     written["intensity"] = intensity;
-    Json node = Aim(at, to - at, glm::dvec3(0., 1., 0.)).GetNode("");
+    Json node = Aim(at, along, glm::dvec3(0., 1., 0.)).GetNode("");
     node["extensions"][extension] = { { "light", lights.size() } };
     lights.push_back(std::move(written));
     nodes.push_back(buffer.Append("nodes", std::move(node)));
@@ -132,26 +139,25 @@ std::size_t AddCamera(GltfBuffer& buffer, vtkRenderer* renderer)
   vtkCamera* camera = renderer->GetActiveCamera();
   const double aspect = std::max(renderer->GetTiledAspectRatio(), 1e-6);
   const double* range = camera->GetClippingRange();
-  const double far = std::max(range[1], range[0] * (1. + 1e-6));
+  const double near = std::max(range[0], 0.);
+  const double far = std::max(range[1], near + std::max(1e-6, 1e-6 * near));
   Json written;
   if (camera->GetParallelProjection())
   {
     const double half = camera->GetParallelScale();
     written = { { "type", "orthographic" },
       { "orthographic",
-        { { "xmag", half * aspect }, { "ymag", half }, { "znear", std::max(range[0], 0.) },
-          { "zfar", far } } } };
+        { { "xmag", half * aspect }, { "ymag", half }, { "znear", near }, { "zfar", far } } } };
   }
   else
   {
     double angle = vtkMath::RadiansFromDegrees(camera->GetViewAngle());
     angle =
       camera->GetUseHorizontalViewAngle() ? 2. * std::atan(std::tan(angle / 2.) / aspect) : angle;
-    written = {
-      { "type", "perspective" },
+    written = { { "type", "perspective" },
       { "perspective",
-        { { "aspectRatio", aspect }, { "yfov", angle }, { "znear", range[0] }, { "zfar", far } } }
-    };
+        { { "aspectRatio", aspect }, { "yfov", angle }, { "znear", std::max(near, 1e-6 * far) },
+          { "zfar", far } } } };
   }
   Json node = GetCameraPlace(renderer).GetNode("camera");
   node["camera"] = buffer.Append("cameras", std::move(written));

@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoVTKVersions.h"
 #include "vtkRelievoWrapTexture.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
@@ -63,6 +64,14 @@ double ToLinear(double value, bool isLinear)
 }
 
 //------------------------------------------------------------------------------
+double ToLinearFromMapped(double value, bool isLinear)
+{
+  const double valid = std::clamp(value, 0., 1.);
+  return isLinear && RELIEVO_VTK_PBR_SRGB_VERTEX_COLORS ? std::pow(valid, 2.2)
+                                                        : ToLinear(valid, isLinear);
+}
+
+//------------------------------------------------------------------------------
 GltfMaterials::Json GltfMaterials::Refer(
   vtkImageData* image, int wrapU, int wrapV, bool isSmooth, bool hasMipmaps)
 {
@@ -74,6 +83,12 @@ GltfMaterials::Json GltfMaterials::Refer(
     writer->WriteToMemoryOn();
     writer->Write();
     vtkUnsignedCharArray* bytes = writer->GetResult();
+    if (!bytes)
+    {
+      this->Images.erase(found);
+      this->Notes.insert("a texture is left out: it cannot be written as PNG");
+      return nullptr;
+    }
     const std::size_t view = this->Buffer.AddBytes(
       bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
     found->second =
@@ -101,16 +116,46 @@ GltfMaterials::Json GltfMaterials::Refer(vtkTexture* texture)
 {
   texture->Update();
   vtkImageData* image = texture->GetInput();
-  if (!image || texture->GetCubeMap() || image->GetDimensions()[2] != 1 ||
-    (image->GetScalarType() != VTK_UNSIGNED_CHAR && image->GetScalarType() != VTK_UNSIGNED_SHORT) ||
-    texture->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS)
+  // VTK maps numbers other than bytes to colours, unless it is told not to.
+  const bool isDirect = image &&
+    (texture->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS
+        ? image->GetScalarType() == VTK_UNSIGNED_CHAR ||
+          image->GetScalarType() == VTK_UNSIGNED_SHORT
+        : image->GetScalarType() == VTK_UNSIGNED_CHAR &&
+          texture->GetColorMode() == VTK_COLOR_MODE_DEFAULT);
+  if (!isDirect || texture->GetCubeMap() || image->GetDimensions()[2] != 1)
   {
-    this->Notes.insert("a texture is left out: glTF has images of 8 or 16 bits alone");
+    this->Notes.insert("a texture is left out: glTF has colours of 8 or 16 bits in flat images");
     return nullptr;
   }
   auto* own = vtkRelievoWrapTexture::SafeDownCast(texture);
   return this->Refer(image, own ? own->GetWrapU() : texture->GetWrap(),
     own ? own->GetWrapV() : texture->GetWrap(), texture->GetInterpolate(), texture->GetMipmap());
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> GltfMaterials::Code(vtkImageData* map, bool isLinear)
+{
+  if (!isLinear)
+  {
+    return map; // glTF's colours of textures are sRGB, too
+  }
+  vtkSmartPointer<vtkImageData>& coded = this->Coded[map];
+  if (!coded)
+  {
+    coded = vtkSmartPointer<vtkImageData>::New();
+    coded->DeepCopy(map);
+    vtkDataArray* colors = coded->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+    {
+      for (int j = 0; j < std::min(3, colors->GetNumberOfComponents()); ++j)
+      {
+        const double light = ToLinearFromMapped(colors->GetComponent(i, j) / 255., true);
+        colors->SetComponent(i, j, std::round(255. * relievo::f64::relievoSrgbFromLinear(light)));
+      }
+    }
+  }
+  return coded;
 }
 
 //------------------------------------------------------------------------------
@@ -138,6 +183,10 @@ std::size_t GltfMaterials::Find(const GltfSurface& surface, bool hasCoordinates,
     {
       to[name] = texturing;
     }
+    else if (texture && hasCoordinates)
+    {
+      this->Partial.insert(surface.Actor);
+    }
     return !texturing.is_null();
   };
   const auto hasAlpha = [](vtkTexture* texture) {
@@ -155,9 +204,9 @@ std::size_t GltfMaterials::Find(const GltfSurface& surface, bool hasCoordinates,
   {
     vtkTexture* texture =
       isLinear ? property->GetTexture("albedoTex") : surface.Actor->GetTexture();
-    isTranslucent = (refer(texture, metal, "baseColorTexture") && hasAlpha(texture) &&
-                      !surface.Actor->GetForceOpaque()) ||
-      isTranslucent;
+    const bool isTextured = refer(texture, metal, "baseColorTexture");
+    // VTK draws PBR textures as opaque, whatever their alpha.
+    isTranslucent = isTranslucent || (isTextured && !isLinear && hasAlpha(texture));
   }
   if (isLinear)
   {
@@ -196,13 +245,14 @@ std::size_t GltfMaterials::Find(const GltfSurface& surface, bool hasCoordinates,
     metal["roughnessFactor"] =
       property->GetSpecular() > 0. ? GetRoughness(property->GetSpecularPower()) : 1.;
   }
-  if (!property->GetLighting() || !isLit)
+  const bool isEven = !isLinear && property->GetDiffuse() <= 0. && property->GetAmbient() > 0.;
+  if (!property->GetLighting() || !isLit || isEven)
   {
     this->Buffer.Use("KHR_materials_unlit");
     material["extensions"]["KHR_materials_unlit"] = Json::object();
   }
   material["pbrMetallicRoughness"] = metal;
-  if (isTranslucent)
+  if (!surface.Actor->GetForceOpaque() && (isTranslucent || surface.Actor->GetForceTranslucent()))
   {
     material["alphaMode"] = "BLEND";
   }
@@ -210,12 +260,13 @@ std::size_t GltfMaterials::Find(const GltfSurface& surface, bool hasCoordinates,
   {
     material["doubleSided"] = true;
   }
-  const auto [found, isNew] = this->Materials.emplace(material.dump(), 0);
+  const auto [found, isNew] =
+    this->Materials.emplace(material.dump() + (isLinear ? " linear" : ""), 0);
   if (isNew)
   {
     found->second = this->Buffer.Append("materials", std::move(material));
   }
-  if (isLinear)
+  if (isLinear && isLit)
   {
     this->WithLinearColors.insert(found->second);
   }

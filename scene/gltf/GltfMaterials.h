@@ -9,13 +9,16 @@
 #include "GltfBuffer.h"
 #include "SceneNames.h"
 
+#include "vtkImageData.h" // for the images
+#include "vtkSmartPointer.h"
+
 #include <cstddef>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
-class vtkImageData;
+class vtkActor;
 class vtkTexture;
 
 namespace scene
@@ -41,7 +44,13 @@ public:
   /// The materials of surfaces with linear colours.
   const std::set<std::size_t>& GetLinear() const { return this->WithLinearColors; }
 
+  /// Actors of which a texture is left out.
+  const std::set<vtkActor*>& GetPartial() const { return this->Partial; }
+
 private:
+  /// A colour map as an image whose colours are sRGB.
+  vtkSmartPointer<vtkImageData> Code(vtkImageData* map, bool isLinear);
+
   /// The reference to a texture; null if its image cannot be stored.
   Json Refer(vtkTexture* texture);
   Json Refer(vtkImageData* image, int wrapU, int wrapV, bool isSmooth, bool hasMipmaps);
@@ -49,7 +58,9 @@ private:
   GltfBuffer& Buffer;
   std::set<std::string>& Notes;
   std::map<std::string, std::size_t> Materials, Textures;
-  std::map<vtkImageData*, std::size_t> Images;
+  std::map<vtkSmartPointer<vtkImageData>, std::size_t> Images;
+  std::map<vtkSmartPointer<vtkImageData>, vtkSmartPointer<vtkImageData>> Coded;
+  std::set<vtkActor*> Partial;
   std::set<std::size_t> WithLinearColors;
 };
 
@@ -58,6 +69,9 @@ bool HasLinearColors(const GltfSurface& surface);
 
 /// An actor's colour as linear light.
 double ToLinear(double value, bool isLinear);
+
+/// A colour of points or cells, or of a colour map, as linear light.
+double ToLinearFromMapped(double value, bool isLinear);
 }
 
 #endif

@@ -201,6 +201,17 @@ std::optional<std::size_t> GltfMeshes::Add(const GltfSurface& surface, const Glt
   {
     return std::nullopt;
   }
+  vtkProperty* property = surface.Actor->GetProperty();
+  for (const GltfPrimitive& primitive : shape.Primitives)
+  {
+    const double size = primitive.Mode == GltfPrimitive::Points ? property->GetPointSize()
+      : primitive.Mode == GltfPrimitive::Lines                  ? property->GetLineWidth()
+                                                                : 1.;
+    if (size != 1.)
+    {
+      this->Notes.insert("sizes of points and widths of lines are left out: glTF has none");
+    }
+  }
   const glm::dvec3 origin = shape.ChooseOrigin();
   Json primitives = Json::array();
   for (const GltfPrimitive& primitive : shape.Primitives)

@@ -169,6 +169,10 @@ private:
     {
       added[static_cast<std::size_t>(i)] = this->AddVertex(place, matrix, cell, corners[i]);
     }
+    if (count == 3 && glm::determinant(glm::dmat3(matrix)) < 0.)
+    {
+      std::swap(added[1], added[2]); // a mirrored triangle has its other side outside
+    }
     this->Made.Indices.insert(this->Made.Indices.end(), added.begin(), added.begin() + count);
   }
 
@@ -217,7 +221,7 @@ private:
       for (int i = 0; i < 4; ++i)
       {
         const double level = this->Surface.Colors->GetComponent(tuple, i) / 255.;
-        const double light = ToLinear(level, i == 3 || this->IsLinear);
+        const double light = i == 3 ? level : ToLinearFromMapped(level, this->IsLinear);
         this->Made.Colors.push_back(static_cast<std::uint16_t>(std::lround(65535. * light)));
       }
     }

@@ -32,6 +32,10 @@ void MapColors(vtkMapper* mapper, vtkDataSet* data, GltfSurface& surface)
 {
   vtkNew<vtkPolyDataMapper> own;
   own->ShallowCopy(mapper);
+  if (surface.Places)
+  {
+    own->InterpolateScalarsBeforeMappingOff(); // a glyph has one colour
+  }
   int of = 0;
   vtkUnsignedCharArray* colors = own->MapScalars(data, 1., of);
   if (own->GetColorTextureMap() && own->GetColorCoordinates())
@@ -40,11 +44,14 @@ void MapColors(vtkMapper* mapper, vtkDataSet* data, GltfSurface& surface)
     surface.MapCoordinates = own->GetColorCoordinates();
     return;
   }
-  if (!colors || of == 2 || colors->GetNumberOfComponents() != 4) // 2: one colour for all cells
+  const bool isOfCells = of != 0; // also of an array of the field data, with a colour for each cell
+  if (!colors || colors->GetNumberOfComponents() != 4 ||
+    colors->GetNumberOfTuples() <
+      (isOfCells ? data->GetNumberOfCells() : data->GetNumberOfPoints()))
   {
     return;
   }
-  surface.Of = of == 1 ? GltfSurface::ColorsOf::Cells : GltfSurface::ColorsOf::Points;
+  surface.Of = isOfCells ? GltfSurface::ColorsOf::Cells : GltfSurface::ColorsOf::Points;
   surface.Colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
   surface.Colors->ShallowCopy(colors);
 }
@@ -77,18 +84,18 @@ vtkSmartPointer<vtkPolyData> Clip(
 
 // Adds the leaves of composite data, with the attributes inherited from their parents.
 void AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes,
-  vtkMapper* mapper, GltfSurface surface, bool isVisible, std::vector<GltfSurface>& surfaces)
+  vtkMapper* mapper, GltfSurface surface, bool isVisible, bool isColored,
+  std::vector<GltfSurface>& surfaces)
 {
-  bool isColored = false;
   if (data && attributes)
   {
     isVisible =
       attributes->HasBlockVisibility(data) ? attributes->GetBlockVisibility(data) : isVisible;
     surface.Opacity =
       attributes->HasBlockOpacity(data) ? attributes->GetBlockOpacity(data) : surface.Opacity;
-    isColored = attributes->HasBlockColor(data);
-    if (isColored)
+    if (attributes->HasBlockColor(data))
     {
+      isColored = true;
       attributes->GetBlockColor(data, &surface.Color.x);
     }
   }
@@ -99,7 +106,8 @@ void AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attribute
     it->TraverseSubTreeOff();
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
     {
-      AddBlocks(it->GetCurrentDataObject(), attributes, mapper, surface, isVisible, surfaces);
+      AddBlocks(
+        it->GetCurrentDataObject(), attributes, mapper, surface, isVisible, isColored, surfaces);
     }
     return;
   }
@@ -114,6 +122,25 @@ void AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attribute
     MapColors(mapper, surface.Mesh, surface);
   }
   surfaces.push_back(surface);
+}
+
+// The block with a flat index, or the data if it has no blocks.
+vtkDataSet* FindBlock(vtkDataObject* data, int index)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  if (!tree)
+  {
+    return vtkDataSet::SafeDownCast(data);
+  }
+  auto it = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    if (static_cast<int>(it->GetCurrentFlatIndex()) == index)
+    {
+      return vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
+    }
+  }
+  return nullptr;
 }
 
 bool AddGlyphs(vtkGlyph3DMapper* mapper, vtkRelievoGlyphPlaces& glyphs, const GltfSurface& like,
@@ -134,8 +161,7 @@ bool AddGlyphs(vtkGlyph3DMapper* mapper, vtkRelievoGlyphPlaces& glyphs, const Gl
     surface.Mesh = group.Mesh;
     surface.Places = group.Places;
     surface.Points = group.Points;
-    auto* points = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
-    if (points)
+    if (vtkDataSet* points = FindBlock(mapper->GetInputDataObject(0, 0), group.Block))
     {
       MapColors(mapper, points, surface);
       surface.Of = GltfSurface::ColorsOf::Places;
@@ -160,12 +186,20 @@ std::string CollectSurfaces(vtkActor* actor, vtkMatrix4x4* matrix, vtkRelievoGly
   surface.Actor = actor;
   surface.MeshToWorld = vtkRelievoToGlm(matrix ? matrix : actor->GetMatrix());
   surface.Opacity = actor->GetForceOpaque() ? 1. : actor->GetProperty()->GetOpacity();
-  actor->GetProperty()->GetDiffuseColor(&surface.Color.x);
+  vtkProperty* property = actor->GetProperty();
+  if (property->GetDiffuse() <= 0. && property->GetAmbient() > 0.)
+  {
+    property->GetAmbientColor(&surface.Color.x);
+  }
+  else
+  {
+    property->GetDiffuseColor(&surface.Color.x);
+  }
   const std::size_t before = surfaces.size();
   if (auto* composite = vtkRelievoCompositeMapper::SafeDownCast(mapper))
   {
     AddBlocks(composite->GetInputDataObject(0, 0), composite->GetCompositeDataDisplayAttributes(),
-      mapper, surface, true, surfaces);
+      mapper, surface, true, false, surfaces);
   }
   else if (auto* glyphMapper = vtkGlyph3DMapper::SafeDownCast(mapper))
   {

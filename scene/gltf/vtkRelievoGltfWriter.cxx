@@ -12,6 +12,9 @@
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
+#include "vtkDataSet.h"
+#include "vtkLODProp3D.h"
+#include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
@@ -22,6 +25,7 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -66,8 +70,9 @@ struct Contents
 {
   GltfBuffer Buffer;
   std::set<std::string> Notes;
-  std::set<std::size_t> Linear; // materials of surfaces with linear colours
-  std::size_t Surfaces = 0;
+  std::set<std::size_t> Linear;  // materials of surfaces with linear colours
+  std::vector<vtkActor*> Actors; // of each primitive
+  std::set<vtkActor*> Partial;   // actors that the file has in part only, or not at all
 };
 
 // A surface of the scene, with the name of its actor.
@@ -77,13 +82,42 @@ struct Drawn
   std::string Name;
 };
 
-std::vector<Drawn> CollectDrawn(vtkRenderer* renderer, const std::map<int, std::string>& names,
-  vtkRelievoGlyphPlaces& glyphs, std::set<std::string>& notes)
+// Keeps the level of detail that has the most cells.
+void KeepFinest(std::vector<vtkRelievoPropParts::Part>& parts)
 {
-  const auto nameOf = [&](vtkActor* actor) {
-    const auto found = names.find(renderer->GetActors()->IsItemPresent(actor) - 1);
-    return found == names.end() ? std::string() : found->second;
+  const auto count = [](const vtkRelievoPropParts::Part& part) {
+    vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
+    vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+    auto* data = vtkDataSet::SafeDownCast(mapper ? mapper->GetInputDataObject(0, 0) : nullptr);
+    return data ? data->GetNumberOfCells() : vtkIdType(0);
   };
+  const auto finest = std::max_element(
+    parts.begin(), parts.end(), [&](const auto& a, const auto& b) { return count(a) < count(b); });
+  if (finest != parts.end())
+  {
+    parts = { *finest };
+  }
+}
+
+std::map<vtkActor*, std::string> FindNames(
+  vtkRenderer* renderer, const std::map<int, std::string>& names)
+{
+  std::map<vtkActor*, std::string> found;
+  vtkActorCollection* actors = renderer->GetActors();
+  for (const auto& [number, name] : names)
+  {
+    if (number >= 0 && number < actors->GetNumberOfItems())
+    {
+      found[static_cast<vtkActor*>(actors->GetItemAsObject(number))] = name;
+    }
+  }
+  return found;
+}
+
+std::vector<Drawn> CollectDrawn(vtkRenderer* renderer, const std::map<int, std::string>& numbered,
+  vtkRelievoGlyphPlaces& glyphs, Contents& contents)
+{
+  const std::map<vtkActor*, std::string> names = FindNames(renderer, numbered);
   std::vector<Drawn> drawn;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator it;
@@ -96,23 +130,29 @@ std::vector<Drawn> CollectDrawn(vtkRenderer* renderer, const std::map<int, std::
     }
     std::vector<vtkRelievoPropParts::Part> parts;
     vtkRelievoPropParts::Collect(prop, parts);
+    if (vtkLODProp3D::SafeDownCast(prop))
+    {
+      KeepFinest(parts);
+    }
     for (const vtkRelievoPropParts::Part& part : parts)
     {
       if (vtkVolume::SafeDownCast(part.Prop))
       {
-        notes.insert("volumes are left out: glTF has none");
+        contents.Notes.insert("volumes are left out: glTF has none");
       }
       vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
       if (!actor || !actor->GetVisibility() || vtkRelievoPropParts::IsAnnotation(actor))
       {
         continue;
       }
-      const std::string name = nameOf(actor);
+      const auto named = names.find(actor);
+      const std::string name = named == names.end() ? "" : named->second;
       std::vector<scene::GltfSurface> surfaces;
       const std::string trouble = scene::CollectSurfaces(actor, part.Matrix, glyphs, surfaces);
       if (!trouble.empty())
       {
-        notes.insert((name.empty() ? "an actor" : name) + " is left out: " + trouble);
+        contents.Notes.insert((name.empty() ? "an actor" : name) + " is left out: " + trouble);
+        contents.Partial.insert(actor);
       }
       for (const scene::GltfSurface& surface : surfaces)
       {
@@ -142,7 +182,7 @@ Contents MakeContents(vtkRenderer* renderer, const glm::dmat4& upright,
   vtkRelievoGlyphPlaces glyphs(vtkRelievoGlyphPlaces::Numbers::Exact);
   std::vector<std::size_t> roots;
   bool isPBR = false;
-  for (const Drawn& one : CollectDrawn(renderer, names, glyphs, contents.Notes))
+  for (const Drawn& one : CollectDrawn(renderer, names, glyphs, contents))
   {
     std::vector<const scene::GltfShape*> moments;
     for (const scene::GltfKey& key : keys)
@@ -150,14 +190,20 @@ Contents MakeContents(vtkRenderer* renderer, const glm::dmat4& upright,
       const auto found = key.Shapes.find({ one.Surface.Actor, one.Surface.Number });
       moments.push_back(found == key.Shapes.end() ? nullptr : &found->second);
     }
-    if (const auto node = meshes.Add(one.Surface, scene::GltfShape(one.Surface), one.Name, moments))
+    const scene::GltfShape shape(one.Surface);
+    if (const auto node = meshes.Add(one.Surface, shape, one.Name, moments))
     {
       roots.push_back(*node);
-      ++contents.Surfaces;
+      contents.Actors.insert(contents.Actors.end(), shape.Primitives.size(), one.Surface.Actor);
       isPBR = isPBR || scene::HasLinearColors(one.Surface);
     }
   }
   contents.Linear = materials.GetLinear();
+  contents.Partial.insert(materials.GetPartial().begin(), materials.GetPartial().end());
+  if (renderer->GetUseImageBasedLighting())
+  {
+    contents.Notes.insert("the environment is left out: glTF has none");
+  }
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const glm::dvec3 center(
@@ -291,9 +337,9 @@ bool vtkRelievoGltfWriter::AddKey(double seconds)
   scene::GltfKey key;
   key.Seconds = seconds;
   key.Camera = scene::GetCameraPlace(this->Renderer);
-  std::set<std::string> notes; // those of Write() are the same
+  Contents unused; // its notes are those of Write()
   vtkRelievoGlyphPlaces glyphs(vtkRelievoGlyphPlaces::Numbers::Exact);
-  for (const Drawn& one : CollectDrawn(this->Renderer, this->Names, glyphs, notes))
+  for (const Drawn& one : CollectDrawn(this->Renderer, this->Names, glyphs, unused))
   {
     key.Shapes.emplace(
       std::make_pair(one.Surface.Actor, one.Surface.Number), scene::GltfShape(one.Surface));
@@ -326,17 +372,10 @@ bool vtkRelievoGltfWriter::Write()
   const Contents contents =
     MakeContents(this->Renderer, upright, this->Names, this->Internal->Keys);
   this->Notes.assign(contents.Notes.begin(), contents.Notes.end());
-  if (contents.Surfaces == 0)
+  if (contents.Actors.empty())
   {
     vtkErrorMacro(
       "Cannot write '" << this->FileName << "': the renderer shows no mesh that glTF can hold.");
-    return false;
-  }
-  const std::vector<unsigned char> bytes = contents.Buffer.GetFile();
-  if (bytes.empty())
-  {
-    vtkErrorMacro("Cannot write '" << this->FileName
-                                   << "': it would exceed the 4 GiB of a .glb file; show less.");
     return false;
   }
   const std::string folder = std::filesystem::path(this->FileName).parent_path().string();
@@ -353,8 +392,17 @@ bool vtkRelievoGltfWriter::Write()
   if (this->Check)
   {
     make(MakeUnlit(contents), [&](vtkRelievoTemporaryFile& file) {
-      difference = scene::FindDifference(this->Renderer, file.GetName(), upright);
+      difference = scene::FindDifference(
+        this->Renderer, file.GetName(), upright, contents.Actors, contents.Partial);
     });
+  }
+  const std::vector<unsigned char> bytes =
+    difference.empty() ? contents.Buffer.GetFile() : std::vector<unsigned char>();
+  if (difference.empty() && bytes.empty())
+  {
+    vtkErrorMacro("Cannot write '" << this->FileName
+                                   << "': it would exceed the 4 GiB of a .glb file; show less.");
+    return false;
   }
   if (this->SystemError == 0 && difference.empty())
   {
@@ -371,8 +419,13 @@ bool vtkRelievoGltfWriter::Write()
   }
   else if (!difference.empty())
   {
-    vtkErrorMacro("Not written: '" << this->FileName << "' " << difference
-                                   << "; CheckOff() writes it nevertheless.");
+    std::string left;
+    for (const std::string& note : this->Notes)
+    {
+      left += "; " + note;
+    }
+    vtkErrorMacro(
+      "The glTF of '" << this->FileName << "' " << difference << " and is not kept" << left << ".");
   }
   return this->SystemError == 0 && difference.empty();
 }
