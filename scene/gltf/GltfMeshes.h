@@ -45,7 +45,7 @@ public:
   std::optional<std::size_t> Add(const GltfSurface& surface, const GltfShape& shape,
     const std::string& name, const std::vector<const GltfShape*>& keys);
 
-  /// Animates a node that is a part of a scene with keys by its places. Constant places add nothing.
+  /// Animates a node by its places at the times of the keys. Constant places add nothing.
   void Move(std::size_t node, const std::vector<GltfPlace>& places);
 
   /// Adds the animation, if something moves.

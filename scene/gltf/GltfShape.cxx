@@ -259,6 +259,11 @@ std::optional<GltfPlace> GltfPlace::Find(const glm::dmat4& matrix)
   {
     return std::nullopt;
   }
+  constexpr double last = 1e-14; // the last bits of a rotation's axes
+  if (glm::length(place.Scale - glm::dvec3(1.)) < last)
+  {
+    place.Scale = glm::dvec3(1.);
+  }
   if (glm::determinant(axes) < 0.)
   {
     place.Scale.x = -place.Scale.x;

@@ -23,11 +23,13 @@
  * Coordinates: glTF has y up; UpAxis turns the scene. Meshes far from the origin are stored
  * relative to their middle, which their node places in double.
  *
- * Left out, with a note: volumes, texts and bars, edges of surfaces, textures with floats, actors
- * with unknown meshes (vtkRelievoRayScene), projective matrices.
+ * Left out, with a note: volumes, environments, edges of surfaces, sizes of points and widths of
+ * lines, textures with floats, clipped glyphs, other actors with unknown meshes, projective
+ * matrices; without a note: texts, bars, and annotations such as grids and the ground of presets.
  *
  * Unless Check is off, the written file is read again and drawn from the same camera: depth,
- * normals and surface colours must agree with the scene's, otherwise the file is not kept.
+ * normals and colours of the opaque surfaces must agree with the scene's, otherwise the file is not
+ * kept. Actors of which something is left out are not compared.
  *
  * Errors: no renderer or file name, nothing visible, a file larger than 4 GiB, a file that cannot
  * be written, a file that shows another scene.

@@ -130,8 +130,9 @@ void CheckSequence(const RenderOptions& options, const std::set<std::string>& gi
     }
     if (!options.Gltf.empty() && GetFrameName(options.Gltf, 0).empty())
     {
-      throw UsageError("--resume and --gltf: one file holds all frames: give --gltf a name with %d, "
-                       "or leave out --resume");
+      throw UsageError(
+        "--resume and --gltf: one file holds all frames: give --gltf a name with %d, or leave out "
+        "--resume");
     }
     if (std::any_of(options.Layers.begin(), options.Layers.end(),
           [](const std::string& layer) { return vtkRelievoRayLayers::IsFlow(layer.c_str()); }))

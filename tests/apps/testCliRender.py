@@ -468,6 +468,55 @@ def words_of(text, kind):
     return numpy.ascontiguousarray(planes.T).view(kind).ravel()
 
 
+def document_of(path):
+    """The JSON of a .glb file."""
+    data = path.read_bytes()
+    size = int.from_bytes(data[12:16], "little")
+    return json.loads(data[20 : 20 + size])
+
+
+class Gltf(CliTest):
+    """Files are checked by tests/gltf; here the option."""
+
+    def test_one_picture(self):
+        look = ("render", "triangle.off", "--preset", "studio", "--size", "64x48", "--report")
+        self.relievo(*look, "a.json")
+        self.relievo(*look, "b.json", "--gltf", "a.glb")
+        stages = [[(each["name"], each["reason"])
+                   for each in json.loads((self.folder / name).read_text())["stages"]]
+                  for name in ("a.json", "b.json")]  # fmt: skip
+        self.assertEqual(*stages)
+        document = document_of(self.folder / "a.glb")
+        names = {node.get("name") for node in document["nodes"]}
+        self.assertLessEqual({"triangle.off", "camera"}, names)
+        self.assertNotIn("animations", document)
+        self.assertEqual(list(self.folder.glob(".relievo*")), [])
+
+    def test_frames(self):
+        turn = ("render", "triangle.off", "--turntable", "3", "--size", "16x16", "--gltf")
+        self.relievo(*turn, "%d.glb")
+        self.assertNotIn("animations", document_of(self.folder / "2.glb"))
+        self.relievo(*turn, "all.glb")
+        (animation,) = document_of(self.folder / "all.glb")["animations"]
+        nodes = document_of(self.folder / "all.glb")["nodes"]
+        moved = {nodes[each["target"]["node"]]["name"] for each in animation["channels"]}
+        self.assertEqual(moved, {"camera"})
+
+    def test_refused(self):
+        for words, says in (
+            (["--gltf", "a.gltf"], ["--gltf", "'a.gltf'", ".glb"]),
+            (["--gltf", "a.glb", "--lens", "fisheye:angle=90"], "--gltf and --lens"),
+            (["--gltf", "a.glb", "--turntable", "2", "--png", "%d.png", "--resume"],
+             "--resume and --gltf"),
+        ):  # fmt: skip
+            self.refused("render", "triangle.off", *words, status=2, says=says)
+        (self.folder / "cloud.ply").write_text(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            "property float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n")
+        done = self.relievo("render", "cloud.ply", "--point-size", "3", "--gltf", "a.glb")
+        self.assertIn("--gltf: sizes of points", done.stderr)
+
+
 class Compare(CliTest):
     """`relievo compare`: exit status, text and JSON for known changes."""
 
