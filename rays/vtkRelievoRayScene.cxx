@@ -31,6 +31,7 @@
 #include "vtkRelievoGlyphPlaces.h"
 #include "vtkRelievoMatrix.h"
 #include "vtkRelievoMeshTexels.h"
+#include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoPropMeshes.h"
 #include "vtkRelievoPropParts.h"
 #include "vtkRelievoRayFile.h"
@@ -412,6 +413,7 @@ struct vtkRelievoRayScene::Internals
     vtkSmartPointer<vtkIdTypeArray> Ids;
     vtkIdType PointsOfPlace = 0; // points per glyph, if glyphs' places are merged into one mesh
     bool IsOpaque = true;        // drawn as opaque by VTK
+    std::shared_ptr<vtkRelievoMeshTree> Tree; // in a file
 
     vtkIdTypeArray* GetIds() const { return this->Ids ? this->Ids.Get() : this->Points; }
   };
@@ -461,7 +463,6 @@ struct vtkRelievoRayScene::Internals
   struct Stored
   {
     std::vector<std::shared_ptr<vtkRelievoMeshTree>> Trees;
-    std::vector<std::size_t> TreeOfMesh;
     std::vector<vtkRelievoPlacedMesh> Meshes;
     std::vector<Source> Sources;
     std::vector<vtkSmartPointer<vtkPolyData>> Owned; // of Meshes: they have normals and indices
@@ -472,6 +473,7 @@ struct vtkRelievoRayScene::Internals
 
     std::string Read(const std::string& path);
     bool ReadMesh(vtkRelievoRayFileReader& file);
+    bool Fits(const std::vector<vtkRelievoPlacedMesh>& meshes) const;
   };
   std::shared_ptr<const Stored> File;
   std::vector<vtkSmartPointer<vtkPolyData>> OwnedBefore; // until the trees have new meshes
@@ -487,6 +489,7 @@ struct vtkRelievoRayScene::Internals
   bool HasIds() const;
   bool SetMeshes(bool opaqueOnly);
   void TakeTrees(const Stored& file);
+  void LeaveFile();
   std::uint64_t GetGeometry() const;
   void WriteMesh(vtkRelievoRayFileWriter& file, std::size_t mesh, std::int64_t tree) const;
   std::string AddBlock(vtkDataObject* data, int block, int prop, vtkMatrix4x4* matrix);
@@ -800,7 +803,30 @@ bool vtkRelievoRayScene::Internals::SetMeshes(bool opaqueOnly)
     this->Meshes.resize(count);
     this->Sources.resize(count);
   }
+  for (std::size_t i = 0; i < this->Meshes.size(); ++i)
+  {
+    if (this->Sources[i].Tree)
+    {
+      this->Tree.SetMeshTree(this->Meshes[i].Mesh, this->Meshes[i].ByOutline, this->Sources[i].Tree,
+        this->File != nullptr);
+    }
+  }
   return this->Tree.SetMeshes(this->Meshes);
+}
+
+//------------------------------------------------------------------------------
+// The file's meshes are deleted with it.
+void vtkRelievoRayScene::Internals::LeaveFile()
+{
+  this->Frozen = false;
+  if (this->File)
+  {
+    this->Meshes.clear();
+    this->Sources.clear();
+    this->FrozenMeshes.clear();
+    this->FrozenSources.clear();
+    this->File = nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -938,8 +964,7 @@ void vtkRelievoRayScene::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkRelievoRayScene::SetRenderer(vtkRenderer* renderer)
 {
-  this->Internal->Frozen = false;
-  this->Internal->File = nullptr;
+  this->Internal->LeaveFile();
   if (this->Internal->Renderer != renderer)
   {
     this->Internal->Renderer = renderer;
@@ -956,14 +981,13 @@ vtkRenderer* vtkRelievoRayScene::GetRenderer()
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::AddData(vtkDataObject* data, vtkMatrix4x4* matrix)
 {
-  this->Internal->Frozen = false;
-  this->Internal->File = nullptr;
   if (!vtkDataSet::SafeDownCast(data) && !vtkCompositeDataSet::SafeDownCast(data))
   {
     vtkErrorMacro("AddData: got " << (data ? data->GetClassName() : "nothing")
                                   << ", expected a vtkDataSet or composite data");
     return -1;
   }
+  this->Internal->LeaveFile();
   this->Internal->Data.push_back({ data, matrix });
   this->Modified();
   const int actors =
@@ -998,10 +1022,6 @@ bool vtkRelievoRayScene::Update()
   {
     scene.Meshes = scene.FrozenMeshes;
     scene.Sources = scene.FrozenSources;
-    if (scene.File)
-    {
-      scene.TakeTrees(*scene.File);
-    }
     return scene.SetMeshes(this->OpaqueOnly);
   }
   this->Collect();
@@ -1301,6 +1321,8 @@ void AddValues(vtkRelievoRayHash& hash, vtkDataArray* array)
   }
 }
 
+const char* const Unfit = ": is damaged: its numbers do not fit each other";
+
 // A mesh in a file; arrays that it has come after it, in this order.
 struct MeshRecord
 {
@@ -1309,6 +1331,14 @@ struct MeshRecord
   double Opacity;
   double MeshToWorld[16];
 };
+
+bool IsFiniteAffine(const glm::dmat4& matrix)
+{
+  const double* const first = &matrix[0][0];
+  return std::all_of(first, first + 16, [](double x) { return std::isfinite(x); }) &&
+    glm::dvec4(matrix[0][3], matrix[1][3], matrix[2][3], matrix[3][3]) ==
+    glm::dvec4(0.0, 0.0, 0.0, 1.0);
+}
 
 // An array of values in a file's memory, which must last as long; null: there is none.
 template <typename Array>
@@ -1341,7 +1371,13 @@ std::uint64_t vtkRelievoRayScene::Internals::GetGeometry() const
   {
     const vtkRelievoPlacedMesh& placed = this->Meshes[i];
     vtkPolyData* mesh = placed.Mesh;
-    const std::int64_t numbers[] = { this->Sources[i].Prop, placed.Block, placed.ByOutline ? 1 : 0,
+    // Fans depend on nothing else; ears depend on the last bit of points in their own type.
+    const bool byEars = !placed.ByOutline && !vtkRelievoPolygonCut::IsFan(VTK_INT_MAX);
+    const std::int64_t numbers[] = { this->Sources[i].Prop, placed.Block,
+      placed.ByOutline ? 1
+        : byEars       ? 0
+                       : 2,
+      byEars && mesh->GetPoints() ? mesh->GetPoints()->GetDataType() : 0,
       static_cast<std::int64_t>(placed.GetNumberOfPlaces()), mesh->GetNumberOfPoints(),
       mesh->GetNumberOfVerts() + mesh->GetNumberOfLines(), mesh->GetNumberOfPolys(),
       mesh->GetNumberOfStrips() };
@@ -1362,12 +1398,23 @@ std::uint64_t vtkRelievoRayScene::Internals::GetGeometry() const
 }
 
 //------------------------------------------------------------------------------
+// For the next SetMeshes. Meshes that equal each other when the file is read may change apart: each
+// gets a tree of its own.
 void vtkRelievoRayScene::Internals::TakeTrees(const Stored& file)
 {
+  std::map<std::pair<vtkPolyData*, bool>, std::shared_ptr<vtkRelievoMeshTree>> trees;
+  std::set<const vtkRelievoMeshTree*> owned;
   for (std::size_t i = 0; i < this->Meshes.size(); ++i)
   {
-    this->Tree.SetMeshTree(
-      this->Meshes[i].Mesh, this->Meshes[i].ByOutline, file.Trees[file.TreeOfMesh[i]]);
+    std::shared_ptr<vtkRelievoMeshTree>& tree =
+      trees[{ this->Meshes[i].Mesh, this->Meshes[i].ByOutline }];
+    const std::shared_ptr<vtkRelievoMeshTree>& stored = file.Sources[i].Tree;
+    if (!tree)
+    {
+      tree =
+        owned.insert(stored.get()).second ? stored : std::make_shared<vtkRelievoMeshTree>(*stored);
+    }
+    this->Sources[i].Tree = tree;
   }
 }
 
@@ -1444,15 +1491,20 @@ bool vtkRelievoRayScene::Internals::Stored::ReadMesh(vtkRelievoRayFileReader& fi
   {
     return false;
   }
-  const vtkRelievoMeshTree& tree = *this->Trees[static_cast<std::size_t>(record.Tree)];
   vtkRelievoPlacedMesh placed;
   Source source;
+  source.Tree = this->Trees[static_cast<std::size_t>(record.Tree)];
+  const vtkRelievoMeshTree& tree = *source.Tree;
   auto mesh = vtkSmartPointer<vtkPolyData>::New(); // has only arrays
   placed.Mesh = mesh;
   placed.Block = static_cast<int>(record.Block);
   placed.ByOutline = record.ByOutline != 0;
   placed.Opacity = record.Opacity;
   std::copy_n(record.MeshToWorld, 16, &placed.MeshToWorld[0][0]);
+  if (!IsFiniteAffine(placed.MeshToWorld))
+  {
+    return false;
+  }
   source.Prop = static_cast<int>(record.Prop);
   source.IsOpaque = record.IsOpaque != 0;
   source.OfCells = record.NormalsOfCells != 0;
@@ -1491,7 +1543,7 @@ bool vtkRelievoRayScene::Internals::Stored::ReadMesh(vtkRelievoRayFileReader& fi
   {
     const auto places = std::make_shared<std::vector<glm::dmat4>>();
     placed.Places = places;
-    if (!file.Take(*places))
+    if (!file.Take(*places) || !std::all_of(places->begin(), places->end(), IsFiniteAffine))
     {
       return false;
     }
@@ -1505,7 +1557,6 @@ bool vtkRelievoRayScene::Internals::Stored::ReadMesh(vtkRelievoRayFileReader& fi
       return false;
     }
   }
-  this->TreeOfMesh.push_back(static_cast<std::size_t>(record.Tree));
   this->Meshes.push_back(placed);
   this->Sources.push_back(source);
   this->Owned.push_back(mesh);
@@ -1540,8 +1591,24 @@ std::string vtkRelievoRayScene::Internals::Stored::Read(const std::string& path)
     good = this->ReadMesh(file);
   }
   this->Memory = file.GetMemory();
-  return good && file.IsAtEnd() ? std::string()
-                                : path + ": is damaged: its numbers do not fit each other";
+  return good && file.IsAtEnd() ? std::string() : path + Unfit;
+}
+
+//------------------------------------------------------------------------------
+// Whether the trees have no cells or points that these meshes lack.
+bool vtkRelievoRayScene::Internals::Stored::Fits(
+  const std::vector<vtkRelievoPlacedMesh>& meshes) const
+{
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+  {
+    const vtkRelievoMeshTree& tree = *this->Sources[i].Tree;
+    if (tree.GetLastCell() >= meshes[i].Mesh->GetNumberOfCells() ||
+      tree.GetLastPoint() >= meshes[i].Mesh->GetNumberOfPoints())
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -1569,8 +1636,13 @@ bool vtkRelievoRayScene::Write(RELIEVO_TEXT path)
       }
       treeOfMesh.push_back(number.first->second);
     }
-    const std::int64_t about[] = { this->GetNumberOfProps(),
-      static_cast<std::int64_t>(trees.size()), static_cast<std::int64_t>(scene.Meshes.size()),
+    std::int64_t props = this->GetNumberOfProps(); // 0 for a copied state
+    for (const Internals::Source& source : scene.Sources)
+    {
+      props = std::max<std::int64_t>(props, source.Prop + 1);
+    }
+    const std::int64_t about[] = { props, static_cast<std::int64_t>(trees.size()),
+      static_cast<std::int64_t>(scene.Meshes.size()),
       static_cast<std::int64_t>(scene.GetGeometry()) };
     file.Put(about, std::size(about));
     for (const vtkRelievoMeshTree* tree : trees)
@@ -1603,6 +1675,10 @@ bool vtkRelievoRayScene::Read(RELIEVO_TEXT path)
     fault = scene.GetGeometry() == file->Geometry && scene.Meshes.size() == file->Meshes.size()
       ? scene.Fault
       : path + ": was written of another scene: its points, cells or matrices differ";
+    if (fault.empty() && !file->Fits(scene.Meshes))
+    {
+      fault = path + Unfit;
+    }
     if (fault.empty())
     {
       scene.TakeTrees(*file);

@@ -82,7 +82,8 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
                              f"relievo.Fisheye; relievo.camera() sets a renderer's own")
         if size not in (None, camera.size):
             raise ValueError(f"size: got {size!r}, expected none with a camera, which has its own")
-        return captured(_by_sensor(renderer, layers, hdr, camera, ambient, previous))
+        (image,) = _seen_by(renderer, [camera], layers, hdr, ambient, previous)
+        return captured(image)
     if ambient is not None:
         raise ValueError("ambient: got settings without a camera, expected them of the stage: "
                          "relievo.stage(renderer, 'ambient', samples=...)")
@@ -142,15 +143,12 @@ def capture_many(renderer, cameras, layers=("depth",), size=None, hdr=False) -> 
         raise ValueError(f"cameras: got {describe(given)}, expected vtkCameras or CameraModels")
     if not by_rays:
         views = _drawn_by(renderer, cameras, layers, size, hdr)
-    elif size is not None or len({each.size for each in cameras}) != 1:
+    elif size not in (None, cameras[0].size) or len({each.size for each in cameras}) != 1:
         raise ValueError(f"size: got {size!r} and CameraModels of the sizes "
                          f"{sorted({each.size for each in cameras})}, expected models of one size, "
                          "which is that of the views")
-    elif "color" in layers:
-        views = (capture(renderer, layers, hdr=hdr, camera=each) for each in cameras)
     else:
-        scene = renderer if isinstance(renderer, Rays) else rays(renderer)
-        views = (layers_by_rays(scene, layers, each) for each in cameras)
+        views = _seen_by(renderer, cameras, layers, hdr)
     arrays = {}
     with closing(views):
         for i, image in enumerate(views):
@@ -338,15 +336,23 @@ def _background(renderer, level):
         renderer.SetTexturedBackground(textured)
 
 
-def _by_sensor(thing, layers, hdr, camera, ambient, previous):
+def _seen_by(thing, sensors, layers, hdr, ambient=None, previous=None):
+    """An image for each CameraModel."""
     names = [name for name in layers if name != "color"]
-    image = layers_by_rays(thing, names, camera, ambient, previous) if names else None
-    if len(names) == len(layers):
-        return image
-    renderer, _ = renderer_of(thing)
+    scene = rays(thing) if names and not isinstance(thing, Rays) else thing
+    renderer = None if len(names) == len(layers) else renderer_of(thing)[0]
+    for sensor in sensors:
+        image = layers_by_rays(scene, names, sensor, ambient, previous) if names else None
+        if renderer is not None:
+            drawn = _color(renderer, hdr, sensor)
+            image = drawn if image is None else _merged(layers, image, drawn)
+        yield image
+
+
+def _color(renderer, hdr, sensor):
     source = vtkRelievoLensPicture()
     source.SetRenderer(renderer)
-    source.SetCamera(camera.model)
+    source.SetCamera(sensor.model)
     source.SetHDR(bool(hdr))
     found = kept(renderer)
     held = nullcontext() if found is None else found.held()
@@ -355,8 +361,7 @@ def _by_sensor(thing, layers, hdr, camera, ambient, previous):
         with Watch(source, frame) as watch:
             source.Update()
     watch.raise_as(ValueError if source.GetErrorCode() else RuntimeError, "capture color")
-    drawn = source.GetOutput()
-    return drawn if image is None else _merged(layers, image, drawn)
+    return source.GetOutput()
 
 
 def _names(layers):

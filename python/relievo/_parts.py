@@ -164,12 +164,13 @@ def status(parts) -> list[PartStatus]:
     for path in sorted((top / "progress").glob("part-*.json")):
         try:
             said = json.loads(path.read_text("utf-8"))
-        except (FileNotFoundError, ValueError):  # removed meanwhile, by merge(), or damaged
+            done, total, made = said["done"], said["all"], said["done"] - said["before"]
+            rate = made / said["seconds"] if made > 0 and said["seconds"] > 0 else None
+            left = 0.0 if done >= total else None if rate is None else (total - done) / rate
+            found.append(PartStatus(said["part"], said["of"], done, total, rate, left))
+        # Removed meanwhile, by merge(), or damaged.
+        except (OSError, ValueError, KeyError, TypeError):
             continue
-        done, total, made = said["done"], said["all"], said["done"] - said["before"]
-        rate = made / said["seconds"] if made > 0 and said["seconds"] > 0 else None
-        left = 0.0 if done >= total else None if rate is None else (total - done) / rate
-        found.append(PartStatus(said["part"], said["of"], done, total, rate, left))
     return found
 
 

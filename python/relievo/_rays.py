@@ -249,9 +249,11 @@ def rays(*things) -> Rays:
         scene.write("city.rays")                         # for other processes:
         scene = relievo.rays("city.rays")
 
-        A file of Rays.write() is not read but mapped into memory, which all processes share. With
-        other things beside it, it must have been written of the same points, cells and matrices;
-        without them, hits have numbers of props, cells and points, but `props` are None.
+        A file of Rays.write() is mapped into memory, which all processes share, and read once to
+        compare its hash. A change of the file in place can end the processes that use it: replace
+        it instead. With other things beside it, it must have been written of the same points, cells
+        and matrices; without them, hits have numbers of props, cells and points, but `props` are
+        None.
 
     Returns Rays. Raises ValueError for wrong arguments, also for a file that is damaged or of
     another scene, and OSError for a file that cannot be opened. A renderer's props that rays do not

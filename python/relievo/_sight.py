@@ -37,6 +37,8 @@ def layers_by_rays(thing, names, sensor, ambient=None, previous=None, opaque_onl
     """The image of layers seen by a CameraModel; see capture(). opaque_only: only the surfaces that
     layers of a frame include."""
     scene = (thing if isinstance(thing, Rays) else rays(thing)).scene
+    scene.SetMinimumDistance(0.0)  # not those of the last query
+    scene.SetMaximumDistance(numpy.inf)
     scene.SetOpaqueOnly(opaque_only)
     source = vtkRelievoRayLayers()
     if previous is not None:

@@ -4,8 +4,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
+#include <random>
+#include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -75,9 +80,25 @@ std::string FindFault(const Header& header, std::size_t bytes)
 //------------------------------------------------------------------------------
 vtkRelievoRayFileWriter::vtkRelievoRayFileWriter(const std::string& path)
   : Path(path)
-  , Temporary(path + "." + std::to_string(getpid()) + ".tmp")
-  , Out(this->Temporary, std::ios::binary)
 {
+  constexpr int tries = 16;
+  std::random_device random;
+  for (int i = 0; i < tries && !this->Out; ++i)
+  {
+    char name[64];
+    std::snprintf(name, sizeof(name), ".relievo-%08x%08x.tmp", random(), random());
+    this->Temporary = (std::filesystem::path(path).parent_path() / name).string();
+    this->Out = std::fopen(this->Temporary.c_str(), "wbxe"); // x: not an existing file or link
+    this->Reason = this->Out ? 0 : errno;
+    if (this->Reason != 0 && this->Reason != EEXIST)
+    {
+      break;
+    }
+  }
+  if (!this->Out)
+  {
+    this->Temporary.clear();
+  }
   const Header nothing{};
   this->Append(&nothing, sizeof(nothing));
 }
@@ -85,9 +106,23 @@ vtkRelievoRayFileWriter::vtkRelievoRayFileWriter(const std::string& path)
 //------------------------------------------------------------------------------
 vtkRelievoRayFileWriter::~vtkRelievoRayFileWriter()
 {
-  this->Out.close();
-  std::error_code trouble;
-  std::filesystem::remove(this->Temporary, trouble);
+  if (this->Out)
+  {
+    std::fclose(this->Out);
+  }
+  if (!this->Temporary.empty())
+  {
+    std::remove(this->Temporary.c_str());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayFileWriter::WriteBytes(const void* bytes, std::size_t count)
+{
+  if (this->Reason == 0 && count > 0 && std::fwrite(bytes, 1, count, this->Out) != count)
+  {
+    this->Reason = errno;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -95,9 +130,8 @@ void vtkRelievoRayFileWriter::Append(const void* bytes, std::size_t count)
 {
   static const char zeros[Block] = {};
   const std::size_t padded = PadToBlock(count);
-  this->Out.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(count));
-  this->Out.write(zeros, static_cast<std::streamsize>(padded - count));
-  this->Reason = this->Reason == 0 && !this->Out ? errno : this->Reason;
+  this->WriteBytes(bytes, count);
+  this->WriteBytes(zeros, padded - count);
   this->Bytes += padded;
 }
 
@@ -122,16 +156,25 @@ std::string vtkRelievoRayFileWriter::Finish()
   header.Order = Order;
   header.Bytes = this->Bytes;
   header.Hash = this->Hash.Get();
-  this->Out.seekp(0);
-  this->Out.write(reinterpret_cast<const char*>(&header), sizeof(header));
-  this->Out.close();
-  this->Reason = this->Reason == 0 && !this->Out ? errno : this->Reason;
-  if (!this->Out)
+  if (this->Reason == 0 && std::fseek(this->Out, 0, SEEK_SET) != 0)
+  {
+    this->Reason = errno;
+  }
+  this->WriteBytes(&header, sizeof(header));
+  if (this->Out && std::fclose(std::exchange(this->Out, nullptr)) != 0 && this->Reason == 0)
+  {
+    this->Reason = errno;
+  }
+  if (this->Reason != 0)
   {
     return this->Path + ": cannot be written: " + std::strerror(this->Reason);
   }
   std::error_code trouble;
   std::filesystem::rename(this->Temporary, this->Path, trouble);
+  if (!trouble)
+  {
+    this->Temporary.clear();
+  }
   return trouble ? this->Path + ": cannot be written: " + trouble.message() : std::string();
 }
 

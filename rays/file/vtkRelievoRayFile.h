@@ -17,7 +17,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -29,6 +29,8 @@ public:
   // Writes beside the file, which Finish() replaces.
   explicit vtkRelievoRayFileWriter(const std::string& path);
   ~vtkRelievoRayFileWriter();
+  vtkRelievoRayFileWriter(const vtkRelievoRayFileWriter&) = delete;
+  void operator=(const vtkRelievoRayFileWriter&) = delete;
 
   template <typename Value>
   void Put(const Value* values, std::size_t count)
@@ -48,10 +50,11 @@ public:
 private:
   void PutBytes(const void* values, std::size_t count, std::size_t size);
   void Append(const void* bytes, std::size_t count);
+  void WriteBytes(const void* bytes, std::size_t count);
 
   std::string Path;
   std::string Temporary;
-  std::ofstream Out;
+  std::FILE* Out = nullptr;
   std::uint64_t Bytes = 0;
   int Reason = 0; // of the first failure, of errno
   vtkRelievoRayHash Hash;

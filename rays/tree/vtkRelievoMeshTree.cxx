@@ -16,6 +16,7 @@
 namespace
 {
 constexpr int ToALeaf = 4;
+constexpr std::int64_t MostCells = std::int64_t(1) << 60; // before the polygons
 constexpr double NoBound = std::numeric_limits<double>::infinity();
 
 bool HasPlace(const glm::dvec3& p)
@@ -258,8 +259,8 @@ bool vtkRelievoMeshTree::Read(vtkRelievoRayFileReader& file)
   std::vector<double> numbers;
   std::vector<std::int64_t> offset;
   if (!file.Take(numbers) || numbers.size() != 10 || !file.Take(offset) || offset.size() != 1 ||
-    offset[0] < 0 || !file.Take(this->Points) || !file.Take(this->Places) ||
-    !file.Take(this->Corners) || !file.Take(this->Cells))
+    offset[0] < 0 || offset[0] > MostCells || !file.Take(this->Points) ||
+    !file.Take(this->Places) || !file.Take(this->Corners) || !file.Take(this->Cells))
   {
     return false;
   }
@@ -268,7 +269,9 @@ bool vtkRelievoMeshTree::Read(vtkRelievoRayFileReader& file)
   this->High = { numbers[6], numbers[7], numbers[8] };
   this->Scale = numbers[9];
   this->CellOffset = static_cast<vtkIdType>(offset[0]);
-  return this->Scale > 0.0 && this->Points.size() == this->Places.size() &&
+  return this->Scale > 0.0 && std::isfinite(this->Scale) && HasPlace(this->Origin) &&
+    (this->IsEmpty() || (HasPlace(this->Low) && HasPlace(this->High))) &&
+    this->Points.size() == this->Places.size() &&
     this->Cells.size() <= static_cast<std::size_t>(VTK_INT_MAX) &&
     this->Corners.size() == 3 * this->Cells.size() &&
     GetLargest(this->Corners) < static_cast<vtkIdType>(this->Places.size()) &&

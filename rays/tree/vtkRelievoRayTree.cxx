@@ -20,6 +20,11 @@ vtkRelievoPolygonCut::Rule GetRule(bool byOutline)
   return byOutline ? vtkRelievoPolygonCut::Rule::ByOutline : vtkRelievoPolygonCut::Rule::AsDrawn;
 }
 
+bool IsFinite(const glm::dvec3& p)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
 bool IsSamePlace(const vtkRelievoPlacedMesh& a, const vtkRelievoPlacedMesh& b)
 {
   return a.Mesh == b.Mesh && a.MeshToWorld == b.MeshToWorld && a.Places == b.Places &&
@@ -46,7 +51,7 @@ bool vtkRelievoRayTree::UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& me
     cached = old != before.end() && old->second.Data == mesh.Mesh
       ? old->second
       : Cached{ mesh.Mesh, std::make_shared<vtkRelievoMeshTree>() };
-    if (cached.Triangles->Update(mesh.Mesh, GetRule(mesh.ByOutline)))
+    if (!cached.Fixed && cached.Triangles->Update(mesh.Mesh, GetRule(mesh.ByOutline)))
     {
       ++(cached.Triangles->WasRefitted() ? this->MeshesRefitted : this->MeshesBuilt);
     }
@@ -55,14 +60,14 @@ bool vtkRelievoRayTree::UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& me
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoRayTree::SetMeshTree(
-  vtkPolyData* mesh, bool byOutline, const std::shared_ptr<vtkRelievoMeshTree>& triangles)
+void vtkRelievoRayTree::SetMeshTree(vtkPolyData* mesh, bool byOutline,
+  const std::shared_ptr<vtkRelievoMeshTree>& triangles, bool fixed)
 {
   Cached& cached = this->Trees[{ mesh, byOutline }];
   if (cached.Data != mesh || cached.Triangles != triangles)
   {
     triangles->SetMesh(mesh, GetRule(byOutline));
-    cached = { mesh, triangles };
+    cached = { mesh, triangles, fixed };
     this->Meshes.clear(); // places refer to the former trees
   }
 }
@@ -122,6 +127,11 @@ void vtkRelievoRayTree::Place()
         const glm::dvec3 world(toWorld * glm::dvec4(p + placed.Triangles->GetOrigin(), 1.0));
         boxes[boxes.size() - 2] = glm::min(boxes[boxes.size() - 2], world);
         boxes.back() = glm::max(boxes.back(), world);
+      }
+      if (!IsFinite(boxes[boxes.size() - 2]) || !IsFinite(boxes.back()))
+      {
+        boxes.resize(boxes.size() - 2);
+        continue; // by the matrix: nothing to hit
       }
       least = glm::min(least, boxes[boxes.size() - 2]);
       most = glm::max(most, boxes.back());

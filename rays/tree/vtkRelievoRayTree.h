@@ -43,8 +43,9 @@ public:
   bool SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes);
 
   // Gives the tree of a mesh as it is now, which the next SetMeshes uses instead of building it.
-  void SetMeshTree(
-    vtkPolyData* mesh, bool byOutline, const std::shared_ptr<vtkRelievoMeshTree>& triangles);
+  // `fixed`: the mesh does not change, and need not have the tree's points and cells.
+  void SetMeshTree(vtkPolyData* mesh, bool byOutline,
+    const std::shared_ptr<vtkRelievoMeshTree>& triangles, bool fixed);
 
   // In the last SetMeshes: meshes whose trees were built, and meshes whose trees were refitted to
   // moved points.
@@ -117,6 +118,7 @@ private:
   {
     vtkWeakPointer<vtkPolyData> Data;
     std::shared_ptr<vtkRelievoMeshTree> Triangles;
+    bool Fixed = false;
   };
   bool UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes);
   void Place();

@@ -493,16 +493,19 @@ class Errors(unittest.TestCase):
             relievo.capture_many(self.renderer, cameras, "detph", size=(8, 8))
         self.assertIs(self.renderer.GetActiveCamera(), cameras[-1])
         sensors = [relievo.lens("fisheye", (24, 16)), relievo.lens("fisheye", (16, 16))]
-        pictures = relievo.capture_many(self.renderer, sensors[:1], ["color", "depth"])
+        with mock.patch("relievo._capture.rays", wraps=relievo.rays) as made:
+            pictures = relievo.capture_many(self.renderer, sensors[:1] * 2, ["color", "depth"],
+                                            size=(24, 16))  # fmt: skip
+        made.assert_called_once()
         image = relievo.capture(self.renderer, ["color", "depth"], camera=sensors[0])
         for name, views in pictures.items():
-            numpy.testing.assert_array_equal(views[0], relievo.layer(image, name), name)
+            numpy.testing.assert_array_equal(views[1], relievo.layer(image, name), name)
         for says, *wrong in (
             ("cameras: got \\[\\]", []),
             ("cameras: got None", None),
             ("cameras: got", [cameras[0], sensors[0]]),
             ("expected models of one size", sensors),
-            ("expected models of one size", sensors[:1], "depth", (24, 16)),
+            ("expected models of one size", sensors[:1], "depth", (24, 17)),
         ):
             with self.subTest(says), self.assertRaisesRegex(ValueError, says):
                 relievo.capture_many(self.renderer, *wrong)

@@ -157,7 +157,9 @@ class Rays(unittest.TestCase):
                                      t=(0, 0, 2))  # fmt: skip
             layers = ["depth", "cell"]
             drawn = relievo.capture(renderer, layers, camera=sensor)
-            seen = relievo.capture_many(relievo.rays(path), [sensor] * 2, layers)
+            read = relievo.rays(path)
+            self.assertFalse(read.nearest(2 * origins, origins, maximum=0.01).hit.all())
+            seen = relievo.capture_many(read, [sensor] * 2, layers)  # of any distance
             for name in layers:
                 numpy.testing.assert_array_equal(seen[name][1], relievo.layer(drawn, name))
             with self.assertRaisesRegex(ValueError, "of another scene"):

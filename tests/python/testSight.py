@@ -1637,6 +1637,15 @@ class Parts(unittest.TestCase):
                               '"before": 10, "seconds": 6}')  # fmt: skip
             state = relievo.status(parts[0].directory)[1]
             self.assertEqual((state.number, state.rate, state.seconds_left), (2, 5, 12))
+            damaged = pathlib.Path(parts[0].directory, "progress", "part-000003.json")
+            wrong = second.read_text().replace("40", '""')
+            for text in ("[]", "null", '{"part": 3, "of": 3}', wrong):
+                damaged.write_text(text)
+                self.assertEqual([each.number for each in relievo.status(parts)], [1, 2])
+            damaged.unlink()
+            damaged.mkdir()
+            self.assertEqual([each.number for each in relievo.status(parts)], [1, 2])
+            damaged.rmdir()
             with self.assertRaisesRegex(ValueError, "has begun"):
                 relievo.status(folder)
             with self.assertRaisesRegex(RuntimeError, "1 of 3 parts complete"):

@@ -7,26 +7,34 @@
 #include "Session.h"
 #include "TestCase.h"
 
+#include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 #include <vtkRelievoRayHash.h>
 #include <vtkRelievoRayScene.h>
+#include <vtkRenderer.h>
 #include <vtkSphereSource.h>
 #include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace testRayFiles
@@ -127,6 +135,12 @@ void TestSameData()
   RELIEVO_CHECK(alone->Read(File));
   RELIEVO_CHECK(alone->GetNumberOfProps() == 2 && !alone->GetPropData(0));
   RELIEVO_CHECK(alone->Write("again.rays") && ReadBytes("again.rays") == bytes);
+  vtkNew<vtkRelievoRayScene> copy;
+  copy->CopyStateOf(first);
+  RELIEVO_CHECK(copy->Write("copy.rays") && ReadBytes("copy.rays") == bytes);
+  // All meshes without strips have one empty array of VTK's.
+  vtkNew<vtkPolyData>()->GetStrips()->Modified();
+  RELIEVO_CHECK(Trace(alone) == Trace(first) && alone->GetNumberOfMeshesBuilt() == 0);
   {
     relievoTest::ExpectMessage expect("read from a file, which has no cells");
     alone->CopyMesh(0, vtkNew<vtkPolyData>());
@@ -154,8 +168,68 @@ void TestSameData()
   }
   RELIEVO_CHECK(Trace(second) == Trace(anew));
   alone->AddData(sphere, matrix);
+  RELIEVO_CHECK(alone->GetNumberOfMeshes() == 0);
   alone->AddData(box);
   RELIEVO_CHECK(Trace(alone) == Trace(anew) && alone->GetNumberOfProps() == 2);
+}
+
+// Meshes that were one when the file was written change apart.
+void TestSharedTree()
+{
+  const auto sphere = MakeSphere();
+  vtkNew<vtkMatrix4x4> left, right;
+  left->SetElement(0, 3, -0.25);
+  right->SetElement(0, 3, 0.25);
+  vtkNew<vtkRelievoRayScene> scene;
+  scene->AddData(sphere, left);
+  scene->AddData(sphere, right);
+  RELIEVO_CHECK(scene->Write(File));
+  vtkNew<vtkPolyData> first, second;
+  first->DeepCopy(sphere);
+  second->DeepCopy(sphere);
+  const auto fill = [&](vtkRelievoRayScene* filled) {
+    filled->AddData(first, left);
+    filled->AddData(second, right);
+  };
+  vtkNew<vtkRelievoRayScene> read, anew;
+  fill(read);
+  RELIEVO_CHECK(read->Read(File) && Trace(read) == Trace(scene));
+  RELIEVO_CHECK(read->GetNumberOfMeshesBuilt() == 0);
+  second->GetPoints()->SetPoint(7, 0.0, 0.0, -3.0);
+  second->GetPoints()->Modified();
+  RELIEVO_CHECK(read->Update());
+  RELIEVO_CHECK(read->GetNumberOfMeshesBuilt() + read->GetNumberOfMeshesRefitted() == 1);
+  fill(anew);
+  RELIEVO_CHECK(Trace(read) == Trace(anew) && !read->Update());
+}
+
+void AddActor(vtkRenderer* renderer, vtkMapper* mapper, double opacity)
+{
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetOpacity(opacity);
+  renderer->AddActor(actor);
+}
+
+// The trees of opaque meshes are kept between queries.
+void TestOpaqueOnly()
+{
+  vtkNew<vtkRenderer> renderer;
+  for (const double opacity : { 0.5, 1.0 })
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(MakeSphere());
+    AddActor(renderer, mapper, opacity);
+  }
+  vtkNew<vtkRelievoRayScene> scene, read;
+  scene->SetRenderer(renderer);
+  RELIEVO_CHECK(scene->Write(File) && read->Read(File));
+  RELIEVO_CHECK(read->GetNumberOfMeshes() == 2);
+  read->OpaqueOnlyOn();
+  RELIEVO_CHECK(read->Update() && read->GetNumberOfMeshes() == 1);
+  RELIEVO_CHECK(!read->Update() && !read->Update());
+  read->OpaqueOnlyOff();
+  RELIEVO_CHECK(read->Update() && read->GetNumberOfMeshes() == 2 && Trace(read) == Trace(scene));
 }
 
 // Other points, another order of points, and other matrices are found.
@@ -202,6 +276,66 @@ bool Says(const std::string& bytes, const std::string& text)
   return fault.find("damaged.rays: ") != std::string::npos && fault.find(text) != std::string::npos;
 }
 
+// Writes a value over the bytes, and their right hash.
+template <typename Value>
+std::string Change(std::string bytes, std::size_t at, const Value& value)
+{
+  std::memcpy(&bytes[at], &value, sizeof(value));
+  vtkRelievoRayHash hash;
+  hash.Add(bytes.data() + 64, bytes.size() - 64);
+  const std::uint64_t number = hash.Get();
+  std::memcpy(&bytes[24], &number, 8);
+  return bytes;
+}
+
+constexpr std::size_t Glyphs = 40;
+
+std::string WriteGlyphs()
+{
+  vtkNew<vtkPoints> points;
+  for (std::size_t i = 0; i < Glyphs; ++i)
+  {
+    points->InsertNextPoint(0.1 * (i % 8) - 0.4, 0.2 * (i / 8) - 0.4, 0.0);
+  }
+  vtkNew<vtkPolyData> places;
+  places->SetPoints(points);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(places);
+  mapper->SetSourceData(MakeSphere());
+  mapper->SetScaleFactor(0.1);
+  vtkNew<vtkRenderer> renderer;
+  AddActor(renderer, mapper, 1.0);
+  vtkNew<vtkRelievoRayScene> scene;
+  scene->SetRenderer(renderer);
+  RELIEVO_CHECK(scene->Write("glyphs.rays"));
+  return ReadBytes("glyphs.rays");
+}
+
+// Numbers that only these checks refuse, under a right hash.
+void TestNumbers(const std::string& good, const std::string& glyphs)
+{
+  const char* const unfit = "its numbers do not fit each other";
+  // Before the end: numbers of the glyphs' points, and their matrices.
+  const std::size_t matrices = glyphs.size() - (64 + Glyphs * 8) - Glyphs * 128;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  RELIEVO_CHECK(GetFault(Change(glyphs, matrices + 128 + 96, 0.125)).empty());
+  RELIEVO_CHECK(Says(Change(glyphs, matrices + 128 + 96, nan), unfit));
+  RELIEVO_CHECK(Says(Change(glyphs, matrices + 5 * 128 + 120, 2.0), unfit)); // the last row
+  // The first tree begins with its origin, box and scale, then the number of its first polygon.
+  const std::size_t origin = 64 + 128 + 64;
+  const std::size_t cell = origin + 128 + 64;
+  for (const std::size_t number : { 0, 4, 8, 9 })
+  {
+    RELIEVO_CHECK(Says(Change(good, origin + 8 * number, nan), unfit));
+  }
+  RELIEVO_CHECK(Says(Change(good, cell, std::int64_t(1) << 62), unfit));
+  WriteBytes("damaged.rays", Change(good, cell, std::int64_t(1000)));
+  vtkNew<vtkRelievoRayScene> alone, live;
+  RELIEVO_CHECK(alone->Read("damaged.rays"));
+  live->AddData(MakeSphere());
+  RELIEVO_CHECK(Read(live, "damaged.rays").find(unfit) != std::string::npos);
+}
+
 void TestDamage()
 {
   vtkNew<vtkRelievoRayScene> scene;
@@ -233,10 +367,13 @@ void TestDamage()
   RELIEVO_CHECK(Says(other, "the other byte order"));
 
   // Wrong numbers under a right hash: refused, or harmless.
+  const std::string glyphs = WriteGlyphs();
+  RELIEVO_CHECK(GetFault(glyphs).empty());
+  TestNumbers(good, glyphs);
   int refused = 0;
   for (int i = 0; i < 600; ++i)
   {
-    std::string bytes = good;
+    std::string bytes = i % 2 == 0 ? good : glyphs;
     for (std::size_t k = 0; k <= draw(3); ++k)
     {
       const std::int32_t numbers[] = { -1, 0, 1, 1 << 20, -(1 << 20), 2147483647, -2147483647 - 1,
@@ -247,11 +384,7 @@ void TestDamage()
       const std::size_t word = i % 3 == 0 ? draw(words) : i % 3 == 1 ? near : words - 1 - near;
       std::memcpy(&bytes[64 + 4 * word], &numbers[draw(8)], 4);
     }
-    vtkRelievoRayHash hash;
-    hash.Add(bytes.data() + 64, bytes.size() - 64);
-    const std::uint64_t number = hash.Get();
-    std::memcpy(&bytes[24], &number, 8);
-    WriteBytes("damaged.rays", bytes);
+    WriteBytes("damaged.rays", Change(bytes, 64, bytes[64]));
     vtkNew<vtkRelievoRayScene> damaged;
     if (Read(damaged, "damaged.rays").empty())
     {
@@ -263,6 +396,34 @@ void TestDamage()
     }
   }
   RELIEVO_CHECK(refused > 100 && refused < 600);
+}
+
+// Threads that write one file do not disturb each other, and leave nothing else.
+void TestThreads()
+{
+  std::vector<std::thread> threads;
+  bool written[] = { true, true, true };
+  for (bool& each : written)
+  {
+    threads.emplace_back([&each]() {
+      vtkNew<vtkRelievoRayScene> scene;
+      scene->AddData(MakeSphere());
+      for (int i = 0; i < 20; ++i)
+      {
+        each = scene->Write("threads.rays") && each;
+      }
+    });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  RELIEVO_CHECK(written[0] && written[1] && written[2]);
+  RELIEVO_CHECK(GetFault(ReadBytes("threads.rays")).empty());
+  for (const auto& entry : std::filesystem::directory_iterator("."))
+  {
+    RELIEVO_CHECK(entry.path().extension() != ".tmp");
+  }
 }
 
 // An error says why, and leaves what was there.
@@ -292,8 +453,11 @@ RELIEVO_TEST_CASE(testRayFiles)
 {
   relievoTest::Session session;
   TestSameData();
+  TestSharedTree();
+  TestOpaqueOnly();
   TestOtherData();
   TestDamage();
+  TestThreads();
   TestPlaces();
   return session.Result();
 }

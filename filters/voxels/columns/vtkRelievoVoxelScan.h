@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 // Calls visit(column, row, depth) for each column that the triangle crosses. Corners are in grid
 // coordinates, finite, x y z.
