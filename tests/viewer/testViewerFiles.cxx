@@ -9,6 +9,7 @@
 #include "ComparisonPanel.h"
 #include "ComparisonView.h"
 #include "Errors.h"
+#include "Options.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -258,12 +259,20 @@ private Q_SLOTS:
       sizes->setCurrentIndex(sizes->findData(QSize(1920, 1080)));
       width->setValue(960);
       found.push_back(height->value());
+      linked->setChecked(false);
+      width->setValue(200);
+      height->setValue(800);
+      linked->setChecked(true);
+      width->setValue(scene::LargestSize);
+      found.push_back(width->value());
+      found.push_back(height->value());
       dialog->reject();
     });
     this->Window->findChild<QAction*>("savePicture")->trigger();
     QCOMPARE(found,
       (std::vector<int>{ static_cast<int>(std::lround(1000 / ratio)),
-        static_cast<int>(std::lround(2000 * ratio)), 2000, 250, 540 }));
+        static_cast<int>(std::lround(2000 * ratio)), 2000, 250, 540, scene::LargestSize / 4,
+        scene::LargestSize }));
   }
 
   // The view keeps its picture while one of another size is drawn.

@@ -13,6 +13,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDialog>
 #include <QDockWidget>
@@ -24,6 +25,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
+#include <QTableWidget>
 #include <QToolBar>
 #include <QWheelEvent>
 #include <QtTest>
@@ -235,6 +237,33 @@ private Q_SLOTS:
     QVERIFY(play->isChecked());
     play->setChecked(false);
     this->WaitUntilRead();
+  }
+
+  // Copying takes a table's cell or a label's text where one is selected and has the focus.
+  void copies()
+  {
+    this->Open({ this->WriteScene() });
+    QVERIFY(this->Activate());
+    QClipboard* clipboard = QApplication::clipboard();
+    auto* table = this->Window->findChild<QTableWidget*>("values");
+    this->Window->findChild<QDockWidget*>("layers")->raise();
+    QTRY_VERIFY_WITH_TIMEOUT(table->isVisible(), 20000);
+    table->setRowCount(1);
+    table->setItem(0, 1, new QTableWidgetItem("1.25"));
+    table->setCurrentCell(0, 1);
+    table->setFocus();
+    QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+    QCOMPARE(clipboard->text(), QString("1.25"));
+    table->clearSelection();
+    QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+    QVERIFY(!clipboard->image().isNull());
+    auto* label = this->Window->findChild<QLabel*>("file");
+    this->Window->findChild<QDockWidget*>("scene")->raise();
+    QTRY_VERIFY_WITH_TIMEOUT(label->isVisible(), 20000);
+    label->setSelection(0, 3);
+    label->setFocus();
+    QTest::keyClick(label, Qt::Key_C, Qt::ControlModifier);
+    QCOMPARE(clipboard->text(), QString("sce"));
   }
 
   void undo()

@@ -359,11 +359,11 @@ private Q_SLOTS:
     QCOMPARE(CountDifferent(this->Grab(), ReadPNG(png.toStdString())), 0);
   }
 
-  // All settings as for newly opened files, and back.
+  // All settings but the permission to read the files get their defaults, and back.
   void resets()
   {
-    const std::string scene = this->WriteScene();
-    this->Open({ scene });
+    const std::vector<std::string> words = { "--allow-folder", "/", this->WriteScene() };
+    this->Open(words);
     const vtkSmartPointer<vtkImageData> fresh = this->Grab();
     this->Change([](scene::Settings& settings) {
       settings.Set("--edges", "");
@@ -374,7 +374,7 @@ private Q_SLOTS:
     QVERIFY(CountDifferent(fresh, this->Grab()) > 100);
     this->Window->findChild<QAction*>("resetSettings")->trigger();
     this->WaitUntilRead();
-    QCOMPARE(this->Window->GetDocument()->Get().GetWords(), std::vector<std::string>{ scene });
+    QCOMPARE(this->Window->GetDocument()->Get().GetWords(), words);
     QCOMPARE(CountDifferent(fresh, this->Grab()), 0);
     this->Window->GetDocument()->Undo();
     this->WaitUntilRead();

@@ -100,15 +100,20 @@ private:
     this->Ratio = static_cast<double>(this->Width->value()) / this->Height->value();
   }
 
-  // The other side of a changed one.
-  void Follow(const QSpinBox* side)
+  // The other side of a changed one, which stops where the other is largest.
+  void Follow(QSpinBox* side)
   {
     if (this->Linked->isChecked())
     {
       QSpinBox* other = side == this->Width ? this->Height : this->Width;
-      const QSignalBlocker quiet(other);
-      other->setValue(static_cast<int>(std::lround(
-        side == this->Width ? side->value() / this->Ratio : side->value() * this->Ratio)));
+      const double ratio = side == this->Width ? this->Ratio : 1.0 / this->Ratio;
+      const QSignalBlocker quiet[] = { QSignalBlocker(side), QSignalBlocker(other) };
+      const auto length = static_cast<int>(std::lround(side->value() / ratio));
+      other->setValue(length);
+      if (length > other->maximum())
+      {
+        side->setValue(static_cast<int>(std::lround(other->maximum() * ratio)));
+      }
     }
     this->ShowName();
   }

@@ -181,8 +181,7 @@ void PictureView::GoOn()
       return;
     }
     this->DropFence();
-    this->update();
-    this->SamplesLeft > 0 ? this->Rest.start(0) : this->Rest.stop(); // after painting
+    this->ShowSample();
     return;
   }
   vtkRelievoPass* frame = this->Shown->GetFrame();
@@ -204,8 +203,15 @@ void PictureView::GoOn()
     QOpenGLExtraFunctions* gl = this->context()->extraFunctions();
     this->Fence = gl->glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl->glFlush();
-    this->Rest.start(FencePause);
+    this->Fence ? this->Rest.start(FencePause) : this->ShowSample(); // OpenGL may refuse a fence
   }
+}
+
+//------------------------------------------------------------------------------
+void PictureView::ShowSample()
+{
+  this->update();
+  this->SamplesLeft > 0 ? this->Rest.start(0) : this->Rest.stop(); // after painting
 }
 
 //------------------------------------------------------------------------------

@@ -92,6 +92,7 @@ private:
   void LetLinesBeWide();
   void OnDrawn();
   void GoOn();
+  void ShowSample();
   void DropFence();
 
   std::unique_ptr<Picture> Shown;

@@ -210,11 +210,12 @@ void AddEditMenu(MainWindow* window)
         document->Change([](scene::Settings& settings) {
           scene::Settings fresh;
           fresh.Files = settings.Files;
+          fresh.SetAll("--allow-folder", settings.GetAll("--allow-folder")); // to read them
           settings = fresh;
         });
       }))
     ->setToolTip(
-      "All settings as for newly opened files; the camera stays, and undo brings them back");
+      "All settings get their defaults; files and camera stay, undo brings the settings back");
   menu->setToolTipsVisible(true);
   menu->addSeparator();
   NeedPicture(window,

@@ -6,13 +6,16 @@
 #include "Panel.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
 #include <QDial>
 #include <QGroupBox>
+#include <QItemSelectionModel>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QSlider>
@@ -84,6 +87,16 @@ bool IsOwnKey(QWidget* widget, const QKeyEvent& event)
   const bool pressed = qobject_cast<QAbstractButton*>(widget) || (group && group->isCheckable());
   return (event.key() == Qt::Key_Space && (box || pressed)) ||
     (box && !event.text().isEmpty() && event.text()[0].isPrint());
+}
+
+// Tables copy their current cell, labels their selected text. Text fields handle the key anyway.
+bool IsOwnCopy(QWidget* widget, const QKeyEvent& event)
+{
+  auto* view = qobject_cast<QAbstractItemView*>(widget);
+  auto* label = qobject_cast<QLabel*>(widget);
+  return event.matches(QKeySequence::Copy) &&
+    ((view && view->selectionModel() && view->selectionModel()->hasSelection()) ||
+      (label && label->hasSelectedText()));
 }
 
 // Text fields undo typing; without any, they ignore the keys.
@@ -168,7 +181,8 @@ bool InputGuard::eventFilter(QObject* watched, QEvent* event)
         event->ignore(); // the window undoes
         return true;
       }
-      if (IsOwnKey(widget, *static_cast<QKeyEvent*>(event)))
+      if (IsOwnKey(widget, *static_cast<QKeyEvent*>(event)) ||
+        IsOwnCopy(widget, *static_cast<QKeyEvent*>(event)))
       {
         event->accept();
         return true;
