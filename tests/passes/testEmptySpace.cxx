@@ -249,7 +249,7 @@ void TestTypes(Scene& scene)
     scene.Check(values->GetClassName());
   }
   scene.Fill(VTK_FLOAT);
-  scene.Image->SetScalarComponentFromDouble(5, 30, 5, 0, std::numeric_limits<double>::infinity());
+  scene.Image->SetScalarComponentFromDouble(5, 30, 15, 0, -std::numeric_limits<double>::infinity());
   scene.Image->Modified();
   scene.Check("an infinite voxel");
   scene.Fill(VTK_UNSIGNED_SHORT);
