@@ -32,8 +32,8 @@ public:
   void operator=(const vtkRelievoEmptyBlocks&) = delete;
 
   // Brings the blocks up to date with the mapper's image and the volume's opacities. Returns the
-  // reason why no sample can be left out, or an empty string. leastShare: of the blocks that have to
-  // be empty.
+  // reason why no sample can be left out, or an empty string. leastShare: share of the blocks that
+  // have to be empty.
   std::string Update(vtkOpenGLGPUVolumeRayCastMapper* mapper, vtkVolume* volume, double leastShare,
     vtkOpenGLRenderWindow* window);
 

@@ -137,7 +137,8 @@ public:
     }
   }
 
-  // Frees the blocks of volumes that were not drawn in the frame, with the window's context current; all: everything.
+  // Frees the blocks of volumes that were not drawn in the frame, or all, with the window's context
+  // current.
   void Release(bool all)
   {
     for (auto drawn = this->All.begin(); drawn != this->All.end();)

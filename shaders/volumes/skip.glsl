@@ -41,7 +41,7 @@ void relievoEmptyBegin()
 bool relievoEmptySkip()
 {
   vec3 place = g_dataPos * relievoEmptyScale;
-  // Rounding puts samples at the image's border in front of the first block, or behind the last one.
+  // Rounding puts samples at the image's border before the first block, or behind the last one.
   ivec3 last = textureSize(relievoEmptyBlocks, 0) - 1;
   vec3 block = clamp(floor(place), vec3(0.0), vec3(last));
   float empty = floor(255.0 * texelFetch(relievoEmptyBlocks, ivec3(block), 0).r + 0.5);
