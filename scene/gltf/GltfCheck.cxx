@@ -95,8 +95,8 @@ enum Layer
   Layers
 };
 
-// Whether the other picture's pixels around a pixel agree with it: in the range of their depths, and
-// with one of their normals and colours.
+// Whether the other picture's pixels around a pixel agree with it: in the range of their depths,
+// and with one of their normals and colours.
 std::array<bool, Layers> Compare(const Pixel& pixel, const Picture& found, int x, int y)
 {
   std::array<bool, Layers> alike{};
