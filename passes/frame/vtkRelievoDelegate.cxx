@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoDelegate.h"
 
+#include "vtkActor.h"
 #include "vtkHiddenLineRemovalPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderer.h"
@@ -66,7 +67,8 @@ void vtkRelievoDelegate::LeaveTranslucentOut()
 {
   for (vtkProp*& prop : this->Props)
   {
-    prop = prop != this->Begin && prop->HasTranslucentPolygonalGeometry() ? this->End : prop;
+    const bool out = vtkActor::SafeDownCast(prop) && prop->HasTranslucentPolygonalGeometry();
+    prop = out ? this->End : prop;
   }
 }
 

@@ -11,6 +11,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkRelievoThreads.h"
+#include "vtkRelievoVolumeMarch.h"
 #include "vtkRelievoVolumeSplice.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
@@ -88,8 +89,8 @@ double GetLargest(vtkDataArray* values, const double range[2])
 vtkRelievoEmptyBlocks::~vtkRelievoEmptyBlocks() = default;
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoEmptyBlocks::Update(
-  vtkOpenGLGPUVolumeRayCastMapper* mapper, vtkVolume* volume, vtkOpenGLRenderWindow* window)
+std::string vtkRelievoEmptyBlocks::Update(vtkOpenGLGPUVolumeRayCastMapper* mapper,
+  vtkVolume* volume, double leastShare, vtkOpenGLRenderWindow* window)
 {
   vtkDataSet* data = mapper->GetDataSetInput();
   int cells = 0;
@@ -107,12 +108,13 @@ std::string vtkRelievoEmptyBlocks::Update(
   {
     return "its array has the wrong length";
   }
-  const bool changed =
-    values != this->Values || values->GetMTime() != this->Time || size != this->Size;
+  // VTK loads its texture again if one of the two was modified.
+  const vtkMTimeType time = std::max(values->GetMTime(), data->GetMTime());
+  const bool changed = values != this->Values || time != this->Time || size != this->Size;
   if (changed)
   {
     this->Values = values;
-    this->Time = values->GetMTime();
+    this->Time = time;
     this->Size = size;
     this->Side =
       std::max(SmallestSide, (std::max({ size.x, size.y, size.z }) + MostBlocks - 1) / MostBlocks);
@@ -125,6 +127,7 @@ std::string vtkRelievoEmptyBlocks::Update(
     {
       vtkTemplateMacro(this->FindRanges(static_cast<const VTK_TT*>(values->GetVoidPointer(0))));
       default:
+        this->Values = nullptr;
         return "its values are no numbers";
     }
   }
@@ -139,16 +142,21 @@ std::string vtkRelievoEmptyBlocks::Update(
   std::vector<double> opacities(std::min(most, std::max(1024, vtkMath::NearestPowerOfTwo(needed))));
   function->GetTable(
     this->Range[0], this->Range[1], static_cast<int>(opacities.size()), opacities.data());
-  if (changed || opacities != this->Opacities || (this->Empty > 0 && !this->Texture))
+  if (changed || opacities != this->Opacities)
   {
     this->Opacities = opacities;
     this->FindEmpty();
-    if (this->Empty > 0)
-    {
-      return this->Upload(window);
-    }
+    this->Release();
   }
-  return this->Empty > 0 ? std::string() : "no part of it is transparent";
+  if (this->Empty == 0)
+  {
+    return "no part of it is transparent";
+  }
+  if (static_cast<double>(this->Empty) < leastShare * static_cast<double>(this->GetNumber()))
+  {
+    return "too few of its blocks are transparent to save time";
+  }
+  return this->Texture ? std::string() : this->Upload(window);
 }
 
 //------------------------------------------------------------------------------
@@ -182,11 +190,11 @@ void vtkRelievoEmptyBlocks::FindRangesOfSlab(const Value* values, int slab)
         bool numbers = true;
         for (; x <= end; ++x)
         {
-          numbers = numbers && row[x] == row[x];
+          numbers = numbers && row[x] - row[x] == 0; // not infinite, nor NaN
           low = row[x] < low ? row[x] : low;
           high = row[x] > high ? row[x] : high;
         }
-        // VTK's texture has no defined value near a voxel that is not a number.
+        // VTK's texture has no defined value near a voxel that is not a finite number.
         const double least =
           numbers ? static_cast<double>(low) : -std::numeric_limits<double>::infinity();
         const double greatest =
@@ -215,6 +223,7 @@ void vtkRelievoEmptyBlocks::FindEmpty()
   }
   // Texels of the table between which a value lies, without an offset of half a texel; the shader's
   // floats round.
+  const double stretch = vtkRelievoVolumeMarch::GetStretch(this->Values->GetDataType());
   const double across = this->Range[1] - this->Range[0];
   const double slack = 0.05 + width * 4e-7 * GetLargest(this->Values, this->Range) / across;
   const auto texel = [&](double value, double off) {
@@ -226,8 +235,8 @@ void vtkRelievoEmptyBlocks::FindEmpty()
   this->Empty = 0;
   for (std::size_t i = 0; i < this->Lows.size(); ++i)
   {
-    const int first = texel(this->Lows[i], -slack);
-    const int last = texel(this->Highs[i], slack + 1.0);
+    const int first = texel(std::min(this->Lows[i], this->Lows[i] * stretch), -slack);
+    const int last = texel(std::max(this->Highs[i], this->Highs[i] * stretch), slack + 1.0);
     const bool empty = visible[last + 1] == visible[first];
     this->Distances[i] = empty ? Farthest : 0;
     this->Empty += empty ? 1 : 0;

@@ -31,10 +31,11 @@ public:
   vtkRelievoEmptyBlocks(const vtkRelievoEmptyBlocks&) = delete;
   void operator=(const vtkRelievoEmptyBlocks&) = delete;
 
-  // Brings the blocks up to date with what the mapper draws. Returns the reason why no sample can
-  // be left out, or an empty string.
-  std::string Update(
-    vtkOpenGLGPUVolumeRayCastMapper* mapper, vtkVolume* volume, vtkOpenGLRenderWindow* window);
+  // Brings the blocks up to date with the mapper's image and the volume's opacities. Returns the
+  // reason why no sample can be left out, or an empty string. leastShare: share of the blocks that
+  // have to be empty.
+  std::string Update(vtkOpenGLGPUVolumeRayCastMapper* mapper, vtkVolume* volume, double leastShare,
+    vtkOpenGLRenderWindow* window);
 
   // Sets the uniforms for the last Update(), with the texture in this unit.
   void SetUniforms(vtkShaderProgram* program, vtkOpenGLRenderWindow* window, int unit) const;
@@ -57,11 +58,11 @@ private:
   std::string Upload(vtkOpenGLRenderWindow* window);
 
   vtkWeakPointer<vtkDataArray> Values; // of which the ranges were found
-  vtkMTimeType Time = 0;
-  glm::ivec3 Size = glm::ivec3(0);   // voxels along each axis
-  int Side = 0;                      // of a block, in voxels
-  glm::ivec3 Blocks = glm::ivec3(0); // along each axis
-  std::vector<double> Lows;          // of each block
+  vtkMTimeType Time = 0;               // of them and of their image
+  glm::ivec3 Size = glm::ivec3(0);     // voxels along each axis
+  int Side = 0;                        // of a block, in voxels
+  glm::ivec3 Blocks = glm::ivec3(0);   // along each axis
+  std::vector<double> Lows;            // of each block
   std::vector<double> Highs;
   double Range[2] = { 0.0, 1.0 };       // of VTK's table
   std::vector<double> Opacities;        // VTK's table, of a unit distance

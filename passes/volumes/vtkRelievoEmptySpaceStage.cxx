@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <list>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -62,12 +63,13 @@ std::string GetSkipMark(const SkipPlace& place)
 class vtkRelievoEmptySpaceStage::Internals
 {
 public:
-  // What a mapper draws, which may be inside of a volume's own.
+  // The blocks of a mapper, which may be inside of a volume's own.
   struct Drawn
   {
     vtkWeakPointer<vtkOpenGLGPUVolumeRayCastMapper> Mapper;
     vtkRelievoEmptyBlocks Blocks;
     std::string WhyInFull;
+    std::optional<bool> Filled; // whether the last shader that was built should skip
     bool InFrame = false;
   };
 
@@ -92,14 +94,9 @@ public:
       found = this->All.emplace(this->All.end());
       found->Mapper = mapper;
     }
-    found->WhyInFull = this->Unit < 0 ? "this OpenGL has no free texture unit"
-                                      : found->Blocks.Update(mapper, volume, this->Window);
-    const auto blocks = static_cast<double>(found->Blocks.GetNumber());
-    if (found->WhyInFull.empty() && !HasGradients(volume) &&
-      static_cast<double>(found->Blocks.GetNumberEmpty()) < LeastEmpty * blocks)
-    {
-      found->WhyInFull = "too few of its blocks are transparent to save time";
-    }
+    found->WhyInFull = this->Unit < 0
+      ? "this OpenGL has no free texture unit"
+      : found->Blocks.Update(mapper, volume, HasGradients(volume) ? 0.0 : LeastEmpty, this->Window);
     if (!found->WhyInFull.empty())
     {
       found->Blocks.Release(); // a shader that VTK keeps skips nothing
@@ -113,7 +110,8 @@ public:
     Drawn& drawn = this->Update(mapper, volume);
     const bool skips = drawn.WhyInFull.empty();
     const bool spliced = program->IsUniformUsed("relievoEmptyBlocks");
-    if (skips != spliced && !program->IsUniformUsed("relievoVolumeRule"))
+    const bool filled = drawn.Filled.value_or(spliced);
+    if (skips != filled && !program->IsUniformUsed("relievoVolumeRule"))
     {
       this->Splice->ModifyShaders(); // VTK kept its shader
     }
@@ -121,22 +119,26 @@ public:
     {
       drawn.Blocks.SetUniforms(program, this->Window, this->Unit);
     }
-    if (skips && !drawn.InFrame)
+    if (skips && spliced && !drawn.InFrame)
     {
       ++this->Volumes;
       this->Blocks += drawn.Blocks.GetNumber();
       this->Empty += drawn.Blocks.GetNumberEmpty();
     }
     drawn.InFrame = true;
-    if (!skips)
+    if (!skips || !spliced)
     {
+      const std::string why = !skips ? drawn.WhyInFull
+        : filled                     ? "its shader could not be changed"
+                                     : "its shader changes with the next frame";
       const int number = this->Renderer->GetVolumes()->IsItemPresent(volume) - 1;
       this->Others.insert((number < 0 ? "a volume" : "volume " + std::to_string(number)) +
-        " is drawn in full, since " + drawn.WhyInFull);
+        " is drawn in full, since " + why);
     }
   }
 
-  // Frees what has not been drawn in the frame, with the window's context current; all: everything.
+  // Frees the blocks of volumes that were not drawn in the frame, or all, with the window's context
+  // current.
   void Release(bool all)
   {
     for (auto drawn = this->All.begin(); drawn != this->All.end();)
@@ -167,7 +169,9 @@ vtkRelievoEmptySpaceStage::vtkRelievoEmptySpaceStage()
     }
   };
   splice->Fill = [this](std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volume) {
-    const bool skips = this->Internal->Update(mapper, volume).WhyInFull.empty();
+    Internals::Drawn& drawn = this->Internal->Update(mapper, volume);
+    const bool skips = drawn.WhyInFull.empty();
+    drawn.Filled = skips;
     const std::string defines = HasGradients(volume) ? "#define RELIEVO_EMPTY_PROBES\n" : "";
     for (const SkipPlace& place : SkipPlaces)
     {
@@ -304,9 +308,9 @@ vtkIdType vtkRelievoEmptySpaceStage::GetBytesHeld()
 void vtkRelievoEmptySpaceStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Internal;
-  if (window && window == in.Window)
+  if (in.Window && !in.All.empty())
   {
-    const vtkRelievoScopedContext current(window);
+    const vtkRelievoScopedContext current(in.Window);
     in.Release(true);
   }
   in.All.clear();

@@ -33,6 +33,25 @@ bool IsUsual(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, vtkImageData*
 }
 
 //------------------------------------------------------------------------------
+double vtkRelievoVolumeMarch::GetStretch(int dataType)
+{
+  switch (dataType)
+  {
+    case VTK_UNSIGNED_CHAR:
+      return 256.0 / 255.0;
+    case VTK_CHAR:
+    case VTK_SIGNED_CHAR:
+      return 128.0 / 127.0;
+    case VTK_UNSIGNED_SHORT:
+      return 65536.0 / 65535.0;
+    case VTK_SHORT:
+      return 32768.0 / 32767.0;
+    default:
+      return 1.0;
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoVolumeMarch::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest)
 {
   auto* image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
@@ -93,7 +112,8 @@ void vtkRelievoVolumeMarch::SetStep(double length)
 // By OpenGL's filter, without the offset of half a texel at the table's ends.
 double vtkRelievoVolumeMarch::GetOpacity(double value) const
 {
-  const double share = (value - this->Range[0]) / (this->Range[1] - this->Range[0]);
+  const double read = value * GetStretch(this->Values->GetDataType());
+  const double share = (read - this->Range[0]) / (this->Range[1] - this->Range[0]);
   if (std::isnan(share))
   {
     return 0.0;

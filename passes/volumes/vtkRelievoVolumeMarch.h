@@ -25,6 +25,10 @@ public:
   // limits VTK's tables.
   bool Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest);
 
+  // VTK's shader reads values of this type larger by this factor: it divides 8 and 16 bits by their
+  // number of values (vtkVolumeTexture::GetScaleAndBias), OpenGL by the greatest value.
+  static double GetStretch(int dataType);
+
   // Whether the data is as it was taken.
   bool IsUnchanged() const;
 

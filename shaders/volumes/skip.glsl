@@ -41,9 +41,11 @@ void relievoEmptyBegin()
 bool relievoEmptySkip()
 {
   vec3 place = g_dataPos * relievoEmptyScale;
-  vec3 block = floor(place);
+  // Rounding puts samples at the image's border before the first block, or behind the last one.
+  ivec3 last = textureSize(relievoEmptyBlocks, 0) - 1;
+  vec3 block = clamp(floor(place), vec3(0.0), vec3(last));
   float empty = floor(255.0 * texelFetch(relievoEmptyBlocks, ivec3(block), 0).r + 0.5);
-  // Of the blocks at a lesser distance than the next one that is not empty; or of this block.
+  // Radius and border of the blocks nearer than the next one that is not empty, or of this block.
   float radius = max(empty, 1.0);
   vec3 border = block + mix(vec3(1.0 - radius), vec3(radius), relievoEmptyAhead);
   vec3 steps = (border - place) * relievoEmptyInverse;

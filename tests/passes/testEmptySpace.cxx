@@ -12,24 +12,32 @@
 #include "Window.h"
 
 #include <vtkCamera.h>
+#include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkMultiBlockVolumeMapper.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
+#include <vtkProperty.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoStage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartVolumeMapper.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedShortArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -144,6 +152,23 @@ struct Scene
     RELIEVO_CHECK_THAT(
       stage->GetReason().find(why) != std::string::npos, name + ": " + stage->GetReason());
   }
+
+  // Checks that a change between two frames gives VTK's picture. Returns the stage's reason in the
+  // second frame.
+  std::string CheckChange(const std::string& name, const std::function<void()>& change)
+  {
+    vtkRelievoStage* stage = this->GetStage();
+    stage->EnabledOn();
+    this->Drawn->Render();
+    change();
+    this->Drawn->Render();
+    const auto skipped = Picture(this->Drawn);
+    std::string reason = stage->GetReason();
+    vtkRelievoPass::Detach(this->Renderer);
+    this->Drawn->Render();
+    RELIEVO_CHECK_THAT(IsSame(Picture(this->Drawn), skipped), name);
+    return reason;
+  }
 };
 
 // The ways in which VTK finds a sample's opacity, or leaves it out.
@@ -194,7 +219,62 @@ void TestKinds(Scene& scene)
   scene.Mapper->RemoveAllClippingPlanes();
 }
 
-// What was found before does not stay.
+// Data of these types: VTK's shader reads values of 8 and 16 bits larger than they are, and nothing
+// that is defined beside infinite ones.
+void TestTypes(Scene& scene)
+{
+  vtkPiecewiseFunction* opacity = scene.Reset()->GetScalarOpacity();
+  opacity->RemoveAllPoints();
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(210.5, 0.0);
+  opacity->AddPoint(211.0, 0.5);
+  opacity->AddPoint(255.0, 0.5);
+  scene.Fill(VTK_UNSIGNED_CHAR);
+  vtkDataArray* bytes = scene.Image->GetPointData()->GetScalars();
+  bytes->Fill(210.0);
+  bytes->SetComponent(0, 0, 0.0);
+  bytes->SetComponent(bytes->GetNumberOfTuples() - 1, 0, 255.0);
+  scene.Image->Modified();
+  scene.Check("bytes that are read as 210.8", false, "transparent");
+
+  scene.Reset()->GetScalarOpacity()->AddPoint(30.0, 0.0);
+  for (const int type : { VTK_SIGNED_CHAR, VTK_SHORT, VTK_INT, VTK_DOUBLE })
+  {
+    scene.Fill(type);
+    vtkDataArray* values = scene.Image->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; type == VTK_SIGNED_CHAR && i < values->GetNumberOfTuples(); ++i)
+    {
+      values->SetComponent(i, 0, std::min(values->GetComponent(i, 0), 127.0));
+    }
+    scene.Check(values->GetClassName());
+  }
+  scene.Fill(VTK_FLOAT);
+  scene.Image->SetScalarComponentFromDouble(5, 30, 15, 0, -std::numeric_limits<double>::infinity());
+  scene.Image->Modified();
+  scene.Check("an infinite voxel");
+  scene.Fill(VTK_UNSIGNED_SHORT);
+
+  // As values of cells, of which the first and the last touch the border of the image.
+  vtkNew<vtkImageData> cells;
+  cells->SetDimensions(Size + 1, Size + 1, Size + 1);
+  cells->SetSpacing(1.0 / Size, 1.0 / Size, 1.0 / Size);
+  cells->GetCellData()->SetScalars(scene.Image->GetPointData()->GetScalars());
+  scene.Mapper->SetInputData(cells);
+  scene.Check("values of cells");
+  scene.Mapper->SetInputData(scene.Image);
+
+  vtkUnsignedCharArray* ghosts = scene.Image->AllocatePointGhostArray();
+  for (vtkIdType i = 0; i < ghosts->GetNumberOfTuples(); ++i)
+  {
+    ghosts->SetValue(i, i % Size < 16 ? vtkDataSetAttributes::HIDDENPOINT : 0);
+  }
+  scene.Image->Modified();
+  scene.Check("blanked points");
+  scene.Image->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  scene.Image->Modified();
+}
+
+// Blocks of earlier data and functions are replaced.
 void TestChanges(Scene& scene)
 {
   scene.Reset();
@@ -205,13 +285,39 @@ void TestChanges(Scene& scene)
   scene.Check("a function without a transparent part", false, "no part of it is transparent");
   scene.Reset();
   auto* values = static_cast<unsigned short*>(scene.Image->GetScalarPointer());
-  for (int i = 0; i < 40; ++i)
-  {
-    values[i * (1 + Size + Size * Size)] = 200; // the diagonal
-  }
-  scene.Image->GetPointData()->GetScalars()->Modified();
-  scene.Image->Modified();
+  const auto set = [&](int first, int step, unsigned short value) {
+    for (int i = 0; i < 40; ++i)
+    {
+      values[first + i * step] = value;
+    }
+    scene.Image->Modified();
+  };
+  scene.CheckChange(
+    "other values, of which the image knows", [&]() { set(5 * Size * Size, 1 + Size, 200); });
+  scene.CheckChange("other values, of which the array knows", [&]() {
+    values[9 * (Size * Size + Size)] = 200;
+    scene.Image->GetPointData()->GetScalars()->Modified();
+  });
+  set(0, 1 + Size + Size * Size, 200); // the diagonal
   scene.Check("other values");
+
+  vtkDataArray* all = scene.Image->GetPointData()->GetScalars();
+  vtkNew<vtkUnsignedShortArray> before;
+  before->DeepCopy(all);
+  std::string reason = scene.CheckChange("no transparent part", [&]() {
+    all->Fill(100.0);
+    all->SetComponent(0, 0, 200.0);
+    all->SetComponent(Size, 0, 0.0);
+    scene.Image->Modified();
+  });
+  RELIEVO_CHECK_THAT(reason.find("no part of it is transparent") != std::string::npos, reason);
+  reason = scene.CheckChange("transparent parts again", [&]() {
+    all->DeepCopy(before);
+    scene.Image->Modified();
+  });
+  RELIEVO_CHECK_THAT(reason.find("skips") == 0, reason);
+  scene.Check("transparent parts still");
+  RELIEVO_CHECK(scene.GetStage()->GetFacts()["skipped_volumes"].ToInt() == 1);
 }
 
 void TestViews(Scene& scene)
@@ -277,7 +383,36 @@ void TestOthers(Scene& scene)
   smart->SetSampleDistance(0.02f);
   scene.Volume->SetMapper(smart);
   scene.Check("vtkSmartVolumeMapper");
+  vtkNew<vtkImageData> other;
+  other->ShallowCopy(scene.Image);
+  other->SetOrigin(-0.7, 0.2, 0.0);
+  vtkNew<vtkMultiBlockDataSet> images;
+  images->SetBlock(0, scene.Image);
+  images->SetBlock(1, other);
+  vtkNew<vtkMultiBlockVolumeMapper> blocks;
+  blocks->SetInputDataObject(0, images);
+  blocks->SetRequestedRenderMode(vtkSmartVolumeMapper::GPURenderMode);
+  scene.Volume->SetMapper(blocks);
+  scene.Check("vtkMultiBlockVolumeMapper", true, "2 volumes");
   scene.Volume->SetMapper(scene.Mapper);
+  vtkNew<vtkGPUVolumeRayCastMapper> second;
+  second->SetInputData(other);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(second);
+  volume->SetProperty(scene.Volume->GetProperty());
+  scene.Renderer->AddVolume(volume);
+  scene.Check("two volumes", true, "2 volumes");
+  scene.Renderer->RemoveVolume(volume);
+
+  const auto glass = relievoTest::AddActor(scene.Renderer, relievoTest::MakeBall(0.3));
+  glass->SetPosition(0.5, 0.5, 0.7);
+  glass->GetProperty()->SetOpacity(0.5);
+  scene.Renderer->UseDepthPeelingOn();
+  scene.Renderer->UseDepthPeelingForVolumesOn();
+  scene.Check("depth peeling");
+  scene.Renderer->UseDepthPeelingForVolumesOff();
+  scene.Renderer->UseDepthPeelingOff();
+  scene.Renderer->RemoveActor(glass);
 
   scene.Mapper->SetBlendModeToMaximumIntensity();
   scene.Check("maximum intensity", false, "blend mode");
@@ -289,8 +424,18 @@ void TestOthers(Scene& scene)
   vtkNew<vtkGPUVolumeRayCastMapper> labels;
   labels->SetInputData(scene.Image);
   labels->SetMaskInput(mask);
-  labels->SetMaskTypeToLabelMap();
   scene.Volume->SetMapper(labels);
+  labels->SetMaskTypeToBinary();
+  for (vtkIdType i = 0; i < mask->GetNumberOfPoints(); ++i)
+  {
+    mask->GetPointData()->GetScalars()->SetComponent(i, 0, i % Size < 16 ? 255.0 : 0.0);
+  }
+  labels->AutoAdjustSampleDistancesOff();
+  labels->SetSampleDistance(0.02f);
+  scene.Check("a binary mask");
+  mask->GetPointData()->GetScalars()->Fill(1.0);
+  mask->Modified();
+  labels->SetMaskTypeToLabelMap();
   vtkNew<vtkColorTransferFunction> color;
   color->AddRGBPoint(0.0, 1.0, 0.0, 0.0);
   vtkNew<vtkPiecewiseFunction> constant;
@@ -321,12 +466,13 @@ RELIEVO_TEST_CASE(testEmptySpace)
   {
     Scene scene;
     TestKinds(scene);
+    TestTypes(scene);
     TestChanges(scene);
     TestViews(scene);
     TestOthers(scene);
     scene.GetStage()->EnabledOff();
     scene.Drawn->Render();
-    scene.GetStage()->ReleaseGraphicsResources(scene.Drawn);
+    scene.GetStage()->ReleaseGraphicsResources(nullptr);
     RELIEVO_CHECK(scene.GetStage()->GetBytesHeld() == 0);
   }
   return session.Result();
