@@ -31,7 +31,18 @@ std::size_t EditDistance(const std::string& a, const std::string& b)
   return row.back();
 }
 
-// Three of the command's options at most that may be meant by this word.
+// All options of a command that has few.
+std::string ListAll(const vtkRelievoCommand& command)
+{
+  std::string names;
+  for (const vtkRelievoOption& option : command.Options)
+  {
+    names += (names.empty() ? "; it has " : ", ") + option.Name;
+  }
+  return names;
+}
+
+// Three of the command's options at most that may be meant by this word, and where all are.
 std::string ListSimilar(const std::string& word, const vtkRelievoCommand& command)
 {
   std::multimap<std::size_t, std::string> similar;
@@ -49,7 +60,7 @@ std::string ListSimilar(const std::string& word, const vtkRelievoCommand& comman
   {
     names += (names.empty() ? "; did you mean " : " or ") + it->second;
   }
-  return names.empty() ? "." : names + "?";
+  return names + (names.empty() ? "." : "?") + " See relievo " + command.Name + " --help";
 }
 }
 
@@ -76,8 +87,9 @@ void SplitArguments(const std::vector<std::string>& words, const vtkRelievoComma
     const vtkRelievoOption* row = command.Find(name);
     if (!row)
     {
+      constexpr std::size_t few = 20;
       throw UsageError(name + ": relievo " + command.Name + " has no such option" +
-        ListSimilar(name, command) + " See relievo " + command.Name + " --help");
+        (command.Options.size() <= few ? ListAll(command) : ListSimilar(name, command)));
     }
     if (row->IsFlag())
     {

@@ -137,7 +137,7 @@ class PartStatus:
 
     `done` of `all` items are complete: views of a data set, percent of other work. `rate` is the
     number of items per second, `seconds_left` the time that the rest takes at this rate; both are
-    None as long as nothing is measured.
+    None as long as nothing is measured. Raises TypeError for fields that are missing.
     """
 
     number: int
