@@ -10,6 +10,8 @@
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkRelievoSentinelProp);
 vtkStandardNewMacro(vtkRelievoWireFrameSentinel);
 
@@ -63,13 +65,14 @@ int vtkRelievoDelegate::Render(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoDelegate::LeaveTranslucentOut()
+void vtkRelievoDelegate::LeaveTranslucentOut(vtkRenderer* renderer)
 {
-  for (vtkProp*& prop : this->Props)
-  {
+  const auto leave = [this](vtkProp* prop) -> vtkProp* {
     const bool out = vtkActor::SafeDownCast(prop) && prop->HasTranslucentPolygonalGeometry();
-    prop = out ? this->End : prop;
-  }
+    return out ? this->End : prop;
+  };
+  std::transform(this->Props.begin(), this->Props.end(), this->Props.begin(), leave);
+  vtkRelievoAccess::Renderer::ForProps(renderer, leave); // newer VTK has a copy of them
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 #include <vector>
 
 class vtkRenderState;
+class vtkRenderer;
 class vtkWindow;
 
 class vtkRelievoDelegate
@@ -39,7 +40,7 @@ public:
   int Render(vtkRenderPass* pass, const vtkRenderState* s, const DelegateEvents& events);
 
   // Spares the drawing of translucent props that were drawn otherwise; called by OpaqueEnds.
-  void LeaveTranslucentOut();
+  void LeaveTranslucentOut(vtkRenderer* renderer);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

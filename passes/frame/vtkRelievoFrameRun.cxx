@@ -400,7 +400,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
         this->CheckRaster();
         if (this->Context.Lattice && !this->Context.Translucent)
         {
-          delegate.LeaveTranslucentOut();
+          delegate.LeaveTranslucentOut(renderer);
         }
       }
       interrupt([&]() { forEach(&vtkRelievoStage::EndOpaque); });

@@ -79,6 +79,23 @@ public:
     (ren->*(&Renderer::UpdateGeometry))(nullptr);
   }
 
+  // Replaces each of the renderer's props of this frame by what `work` returns for it.
+  template <typename Work>
+  static void ForProps(vtkRenderer* ren, Work&& work)
+  {
+#ifdef RELIEVO_VTK_PROP_VECTOR
+    for (vtkProp*& prop : ren->*(&Renderer::PropArray))
+    {
+      prop = work(prop);
+    }
+#else
+    for (int i = 0; i < ren->*(&Renderer::PropArrayCount); ++i)
+    {
+      (ren->*(&Renderer::PropArray))[i] = work((ren->*(&Renderer::PropArray))[i]);
+    }
+#endif
+  }
+
   // Replaces the renderer's props of this frame during its lifetime.
   class Props
   {
