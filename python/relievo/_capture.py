@@ -40,8 +40,8 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
         would be shown with, unless it has been set. A renderer without a window is drawn in an
         off-screen one, and `size` is needed. Or a dataset (also composite), a filter that makes
         one, an object with a `dataset`, points of shape (n, 3), or an actor; it is drawn (data by
-        its surface), seen along -z with y up, fitted to the picture. With a CameraModel also what
-        rays() returns, for all layers but color.
+        its surface), seen along -z with y up, fitted to the picture. With a CameraModel also the
+        Rays of rays(), for all layers but color.
     layers: names of layers, or one name; see help(relievo). Repeated names count once.
     size: (columns, rows) of the image in pixels, from 1 to 16384, or to OpenGL's limit where that
         is lower; None for the size of the renderer's viewport, (1024, 768) for data.
@@ -126,7 +126,7 @@ def capture_many(renderer, cameras, layers=("depth",), size=None, hdr=False) -> 
         seen = relievo.capture_many(renderer, poses, ["depth", "normal"], size=(64, 64))
         seen["depth"].shape                          # (len(poses), 64, 64)
 
-    renderer, layers, hdr: as for capture(); with CameraModels also what rays() returns.
+    renderer, layers, hdr: as for capture(), with CameraModels also the Rays of rays().
     cameras: vtkCameras, which take the place of the renderer's camera one after the other; or
         CameraModels of one size, whose layers are found by rays.
     size: (columns, rows) of each view; None for the size of the renderer's viewport, or that of the

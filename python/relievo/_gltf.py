@@ -29,8 +29,8 @@ def write_gltf(path, thing, up=None, names=None, check=True) -> list:
     check: whether the file is read again and drawn; it is not kept if its depths, normals or
         surface colours differ from the scene's.
 
-    Returns what the file leaves out or changes, a list of sentences. docs/gltf.md says how colours,
-    materials and lights are written.
+    Returns a list of sentences about the parts that the file leaves out or changes. docs/gltf.md
+    says how colours, materials and lights are written.
 
     Raises ValueError for wrong arguments, OSError if the file cannot be written, RuntimeError if
     nothing can be exported, or if the file differs from the scene.

@@ -44,7 +44,7 @@ public:
     this->Put(values.data(), values.size());
   }
 
-  // Returns what failed; empty: nothing.
+  // Returns the reason of a failure; empty: none.
   std::string Finish();
 
 private:

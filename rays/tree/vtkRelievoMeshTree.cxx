@@ -24,7 +24,7 @@ bool HasPlace(const glm::dvec3& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-// What identifies the state of a mesh.
+// Times and numbers that identify the state of a mesh.
 std::vector<vtkMTimeType> GetTimes(vtkPolyData* data)
 {
   return { data->GetPoints() ? data->GetPoints()->GetMTime() : 0, data->GetPolys()->GetMTime(),

@@ -195,8 +195,8 @@ std::size_t GltfMaterials::Find(const GltfSurface& surface, bool hasCoordinates,
   };
   if (surface.Map)
   {
-    metal["baseColorTexture"] =
-      this->Refer(surface.Map, vtkTexture::ClampToEdge, vtkTexture::ClampToEdge, false, false);
+    metal["baseColorTexture"] = this->Refer(this->Code(surface.Map, isLinear),
+      vtkTexture::ClampToEdge, vtkTexture::ClampToEdge, false, false);
     isTranslucent =
       isTranslucent || surface.Map->GetPointData()->GetScalars()->GetRange(3)[0] < 255.;
   }

@@ -65,7 +65,7 @@ int WriteBytes(const std::string& path, const std::vector<unsigned char>& bytes)
   return isWritten && isClosed ? 0 : trouble != 0 ? trouble : errno != 0 ? errno : EIO;
 }
 
-// The file's contents, and what it leaves out.
+// The file's contents, and notes about parts that it leaves out.
 struct Contents
 {
   GltfBuffer Buffer;

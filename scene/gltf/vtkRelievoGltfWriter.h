@@ -100,7 +100,7 @@ public:
   bool Write();
 
   ///@{
-  /** What Write() left out or changed, a sentence each. */
+  /** The parts that Write() left out or changed, a sentence each. */
   int GetNumberOfNotes() { return static_cast<int>(this->Notes.size()); }
   std::string GetNote(int i);
   ///@}

@@ -426,7 +426,7 @@ void TestThreads()
   }
 }
 
-// An error says why, and leaves what was there.
+// An error gives its reason, and leaves the scene and the file as they were.
 void TestPlaces()
 {
   vtkNew<vtkRelievoRayScene> scene;
