@@ -8,7 +8,15 @@ from relievo.vtk.vtkCommonDataModel import vtkImageData
 import relievo.vtk.vtkRenderingFreeType  # noqa: F401  (draws the captions' letters)
 from relievo.vtk.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
 
-from relievo._picture import IDS, bytes_of, hashed, mapped, picture_of, png_of, where  # noqa: F401
+from relievo._images.picture import (  # noqa: F401
+    IDS,
+    bytes_of,
+    hashed,
+    mapped,
+    picture_of,
+    png_of,
+    where,
+)
 
 PAPER = (24, 25, 28)
 INK = (0.90, 0.90, 0.88)

@@ -69,7 +69,7 @@ class _Baselines:
     def __call__(self, thing, name=None, portable=False, **limits):
         __tracebackhide__ = True
         import relievo
-        from relievo._compare import frame_of
+        from relievo._captures.compare import frame_of
         from relievo._wrapped import vtkRelievoBaseline
 
         self.calls += 1

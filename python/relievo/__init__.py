@@ -76,9 +76,10 @@ import sys
 if sys.version_info < (3, 11):
     raise ImportError("relievo: got Python %d.%d, expected 3.11 or later" % sys.version_info[:2])
 
-from . import _one_vtk, _vtkmodules
 from ._build import VERSION as __version__
 from ._build import VTK as _vtk
+from ._package import one_vtk as _one_vtk
+from ._package import vtkmodules as _vtkmodules
 
 _one_vtk.check()
 _vtkmodules.prepare(_vtk)
@@ -93,8 +94,29 @@ except ImportError as error:
 
 from ._wrapped import *  # noqa: F401,F403
 
-from . import _browser, _font
-from ._cameras import (
+from ._captures.capture import capture, capture_many, screenshot
+from ._captures.compare import compare, write_baseline
+from ._captures.dataset import write_dataset
+from ._captures.gltf import write_gltf
+from ._captures.pick import pick
+from ._frames.environment import environment
+from ._frames.frame import report, vtkRelievoPass
+from ._frames.keep import attach, detach
+from ._frames.scale_bar import scale_bar
+from ._frames.stages import stage, stages
+from ._frames.things import functions as _functions
+from ._images.exr import read_exr, write_exr
+from ._images.image import attributes, from_image, layer, layer_names, to_image
+from ._images.layers import layers
+from ._images.picture import picture, write_png
+from ._images.points import depth_to_points
+from ._images.show import show
+from ._package import browser as _browser
+from ._package import font as _font
+from ._package.vtkmodules import provide_vtkmodules
+from ._scene.parts import Part, PartStatus, merge, parts, status, verify
+from ._scene.scene import scene
+from ._sight.cameras import (
     CameraModel,
     Cube,
     Division,
@@ -109,28 +131,8 @@ from ._cameras import (
     intrinsics,
     lens,
 )
-from ._capture import capture, capture_many, screenshot
-from ._compare import compare, write_baseline
-from ._dataset import write_dataset
-from ._environment import environment
-from ._exr import read_exr, write_exr
-from ._frame import report, vtkRelievoPass
-from ._gltf import write_gltf
-from ._image import attributes, from_image, layer, layer_names, to_image
-from ._keep import attach, detach
-from ._layers import layers
-from ._parts import Part, PartStatus, merge, parts, status, verify
-from ._pick import pick
-from ._picture import picture, write_png
-from ._points import depth_to_points
-from ._rays import rays
-from ._scale_bar import scale_bar
-from ._scene import scene
-from ._show import show
-from ._sight import cover, flow, moment, sun_exposure, visible
-from ._stages import stage, stages
-from ._things import functions as _functions
-from ._vtkmodules import provide_vtkmodules
+from ._sight.rays import rays
+from ._sight.sight import cover, flow, moment, sun_exposure, visible
 
 globals().update(_functions())  # lamps, fog, markers: each stage that draws points
 _browser.prepare()

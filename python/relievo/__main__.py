@@ -6,7 +6,7 @@ import os
 import signal
 import sys
 
-from ._program import program
+from ._scene.program import program
 
 if __name__ == "__main__":
     path = program()

@@ -28,14 +28,22 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy
+
 import pyvista
 
 if not hasattr(pyvista, "register_plotter_component"):
     raise ImportError(f"relievo.pyvista: got PyVista {pyvista.__version__}, expected 0.48 or later")
 
-from . import _capture, _environment, _exr, _frame, _image, _pick, _stages, _things
-from ._errors import describe, is_a
-from ._keep import kept
+from ._arguments.errors import describe, is_a
+from ._captures import capture as _capture
+from ._captures import pick as _pick
+from ._frames import environment as _environment
+from ._frames import frame as _frame
+from ._frames import stages as _stages
+from ._frames import things as _things
+from ._frames.keep import kept
+from ._images import exr as _exr
+from ._images import image as _image
 from ._wrapped import vtkRelievoEnvironment, vtkRelievoPass, vtkRelievoStage
 from .vtk.vtkCommonDataModel import vtkImageData
 

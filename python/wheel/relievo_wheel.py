@@ -70,7 +70,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
             if package != "vtkmodules":
                 _include(pathlib.Path(files, "relievo"), package, sdk)
                 # In the folder of the wheel: PYTHONPATH has what pip installed to build with.
-                words = [sys.executable, "-m", "relievo._stub", "relievo"]
+                words = [sys.executable, "-m", "relievo._package.stub", "relievo"]
                 subprocess.run(words, check=True, cwd=files)
         return wheel.name
 

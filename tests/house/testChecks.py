@@ -24,6 +24,8 @@ CLEAN = {
     "plugin/vtkP.cxx": LICENCE + '#include "vtkPVView.h"\n',
     "tools/run": "#!/usr/bin/env bash\n# SPDX-License-Identifier: BSD-3-Clause\necho ok\n",
     "python/relievo/a.py": "# SPDX-License-Identifier: BSD-3-Clause\nvalue = 1\n",
+    "python/relievo/_sight/rays.py": "# SPDX-License-Identifier: BSD-3-Clause\n"
+                                     "from .._images.image import layer\n",
 }
 # Each mistake: the file that holds it, its text, and words of the complaint.
 MISTAKES = {
@@ -62,6 +64,9 @@ MISTAKES = {
                "may not stand on this one"),
     "upwards": ("shaders/vtk.module", "NAME\n  Relievo::Shaders\nDEPENDS\n  Relievo::IO\n",
                 "may not stand on this one"),
+    "mutual imports": ("python/relievo/_images/image.py", CLEAN["python/relievo/a.py"]
+                       + "def layer():\n    from .._sight.rays import Rays\n",
+                       "include each other"),
     "mutual": ("look/colors/Color.h", LICENCE + '#include "Sun.h"\n', "include each other"),
     "base": ("base/vtk.module", "NAME\n  Relievo::Base\nDEPENDS\n  Relievo::Shaders\n",
              "may not stand on this one"),

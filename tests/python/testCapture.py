@@ -493,7 +493,7 @@ class Errors(unittest.TestCase):
             relievo.capture_many(self.renderer, cameras, "detph", size=(8, 8))
         self.assertIs(self.renderer.GetActiveCamera(), cameras[-1])
         sensors = [relievo.lens("fisheye", (24, 16)), relievo.lens("fisheye", (16, 16))]
-        with mock.patch("relievo._capture.rays", wraps=relievo.rays) as made:
+        with mock.patch("relievo._captures.capture.rays", wraps=relievo.rays) as made:
             pictures = relievo.capture_many(self.renderer, sensors[:1] * 2, ["color", "depth"],
                                             size=(24, 16))  # fmt: skip
         made.assert_called_once()
@@ -522,7 +522,7 @@ class Errors(unittest.TestCase):
             relievo.capture(self.renderer, "depth", size=(65536, 4))
         self.assertIn("65536", str(caught.exception))
         # An OpenGL whose limit is lower than ours.
-        with mock.patch("relievo._capture.vtkTextureObject") as textures:
+        with mock.patch("relievo._captures.capture.vtkTextureObject") as textures:
             textures.GetMaximumTextureSize.return_value = 4096
             with self.assertRaisesRegex(ValueError, r"got \(4, 4097\), expected at most 4096"):
                 relievo.capture(self.renderer, "depth", size=(4, 4097))

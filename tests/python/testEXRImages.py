@@ -12,7 +12,7 @@ import numpy
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 import relievo
-from relievo._errors import Watch
+from relievo._arguments.errors import Watch
 from relievo.vtkRelievoIO import vtkRelievoImageReader
 
 RANDOM = numpy.random.default_rng(12)

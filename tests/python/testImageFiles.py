@@ -17,7 +17,7 @@ import numpy
 from PIL import Image
 
 import relievo
-from relievo._errors import Watch
+from relievo._arguments.errors import Watch
 from relievo.vtkRelievoIO import vtkRelievoImageReader
 
 LACKS = os.environ.get("RELIEVO_VTK_LACKS", "").split()  # tests/wheel/CMakeLists.txt

@@ -110,7 +110,7 @@ def mutant(rng, kind, content):
 
 def read_all(folder):
     """In a process of its own: a line before and after each."""
-    from relievo._errors import Watch
+    from relievo._arguments.errors import Watch
     from relievo.vtkRelievoIO import vtkRelievoImageReader
 
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))

@@ -16,7 +16,8 @@ import unittest
 from importlib.metadata import metadata, version
 
 import relievo
-from relievo import _stub, _vtkmodules
+from relievo._package import stub as _stub
+from relievo._package import vtkmodules as _vtkmodules
 
 ROOT = pathlib.Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())

@@ -76,7 +76,7 @@ def actor_of(source):
 def gltf():
     """A triangle whose material has a normal map, in the file itself."""
     pixels = relievo.to_image(numpy.full((4, 4, 3), (128, 128, 255), numpy.uint8))
-    from relievo._picture import png_of
+    from relievo._images.picture import png_of
 
     picture = png_of(relievo.from_image(pixels))
     floats = struct.pack("<24f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1,

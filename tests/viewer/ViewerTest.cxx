@@ -335,17 +335,17 @@ QByteArray ViewerTest::AskPython(const char* task)
 {
   // Loading VTK takes longer than most pictures: one process runs all programs.
   const char* all = R"(
-import relievo._scene
+import relievo._scene.scene
 import sys
 
 def say(scene, png):
     words = scene._scene.GetWords()
     print("\n".join(words.GetValue(i) for i in range(words.GetNumberOfValues())))
 
-draw = relievo._scene.Scene.render
+draw = relievo._scene.scene.Scene.render
 for line in sys.stdin:
     task, path = line.strip().split(" ", 1)
-    relievo._scene.Scene.render = say if task == "say" else draw
+    relievo._scene.scene.Scene.render = say if task == "say" else draw
     exec(open(path).read(), {"__name__": "__main__"})
     print("done", flush=True)
 )";

@@ -1,0 +1,501 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Computations by rays: layers of any sensor, visible cells, flow, hours of sun."""
+
+import datetime
+import inspect
+
+import numpy
+
+from .._arguments.data import need_data
+from .._arguments.errors import Watch, describe, is_a
+from .._arguments.parameters import (
+    bind,
+    defaults_of,
+    describe_all,
+    keywords,
+    keywords_of,
+    set_value,
+)
+from .._arguments.renderers import inner_renderer, outwards, prop_of
+from ..vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from ..vtk.vtkCommonCore import vtkPoints
+from ..vtk.vtkCommonDataModel import vtkImageData, vtkPolyData
+from ..vtk.vtkCommonExecutionModel import vtkAlgorithm
+from ..vtk.vtkFiltersCore import vtkAppendPolyData
+from ..vtk.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
+from ..vtkRelievoFilters import (
+    vtkRelievoCover,
+    vtkRelievoFlow,
+    vtkRelievoRayLayers,
+    vtkRelievoSunExposure,
+    vtkRelievoVisibility,
+)
+from ..vtkRelievoRays import vtkRelievoRayScene
+from .cameras import CameraModel, sensor_of
+from .rays import Rays, rays
+
+FLOW_LAYERS = ("flow", "motion", "flow_valid")
+NEEDS_MOMENT = "; this layer needs previous=, from moment()"
+
+
+def layers_by_rays(thing, names, sensor, ambient=None, previous=None, opaque_only=False):
+    """The image of layers seen by a CameraModel; see capture(). opaque_only: only the surfaces that
+    layers of a frame include."""
+    scene = (thing if isinstance(thing, Rays) else rays(thing)).scene
+    scene.SetMinimumDistance(0.0)  # not those of the last query
+    scene.SetMaximumDistance(numpy.inf)
+    scene.SetOpaqueOnly(opaque_only)
+    source = vtkRelievoRayLayers()
+    if previous is not None:
+        scene.SetPointIds(previous.scene.GetPointIds())
+        source.SetOther(previous.scene, previous.sensor.model)
+    _set_ambient(source, {} if ambient is None else ambient)
+    source.SetScene(scene)
+    source.SetCamera(sensor.model)
+    for name in names:
+        source.AddLayer(name)
+    try:
+        if previous is not None:
+            previous.scene.SetOpaqueOnly(opaque_only)
+        return _image(source, f"capture {', '.join(names)}", scene)
+    except ValueError as error:
+        if previous is None and any(f"'{name}'" in str(error) for name in FLOW_LAYERS):
+            raise ValueError(f"{error}{NEEDS_MOMENT}") from None
+        raise
+    finally:
+        if previous is not None:
+            previous.scene.SetOpaqueOnly(False)
+
+
+def _set_ambient(source, settings):
+    expected = ("samples", "radius", "weighting", "seed")
+    if not isinstance(settings, dict):
+        raise ValueError(f"ambient: got {describe(settings)}, expected a dict of "
+                         f"{', '.join(expected)}")
+    unknown = [name for name in settings if name not in expected]
+    if unknown:
+        raise ValueError(f"ambient: got {', '.join(map(str, unknown))}, expected "
+                         f"{', '.join(expected)}")
+    weighting = settings.get("weighting", "cosine")
+    if weighting not in ("cosine", "uniform"):
+        raise ValueError(f"weighting: got {weighting!r}, expected 'cosine' or 'uniform'")
+    source.SetAmbientSamples(
+        _number("samples", settings.get("samples", 64), 1, 65536, whole=True))
+    source.SetAmbientRadius(_number("radius", settings.get("radius", 0), 0, 1e300))
+    source.SetAmbientByCosine(weighting == "cosine")
+    source.SetSeed(_number("seed", settings.get("seed", 0), 0, 2**31 - 1, whole=True))
+
+
+def visible(thing, cameras, occluders=(), size=None, cloud=False) -> vtkPolyData | list | tuple:
+    """Returns a mesh, or each prop of a scene, with arrays of its visibility from cameras.
+
+        seen = relievo.visible(mesh, [relievo.Pinhole(K, (1280, 720), R, t), ...])
+        share = (vtk_to_numpy(seen.GetCellData().GetArray("seen")) > 0).mean()
+        of_actors = relievo.visible(renderer, sensors)
+
+    thing: a dataset or a filter that makes one; data other than polygons count by their outer
+        surface. Or a scene as for rays(): a renderer, a plotter, an actor, or a list of data or
+        actors.
+    cameras: CameraModels (Pinhole, Fisheye, ...), or vtkCameras, renderers and plotters with
+        pictures of `size` (columns, rows); one or a list.
+    occluders: other data that occludes it, one or a list.
+    cloud: also returns the visible points at pixels' centres, with the arrays cell, camera and
+        normal.
+
+    Returns vtkPolyData with the cell arrays seen (number of cameras), pixels and solid_angle
+    (steradians, both summed over the cameras) and the point array seen; or with `cloud` that and
+    the points. Cells smaller than a pixel are not lost: extra rays go to them.
+
+    For a scene, returns a list of these, one for each of rays(thing).props, which occlude each
+    other: in world coordinates, with the cell arrays block and cell as the layers of these names;
+    None for a prop that rays do not hit, or that is translucent and occludes nothing. Surfaces are
+    two-sided, whatever their culling. The points also have the array actor. Props that rays do not
+    support are left out with a RuntimeWarning.
+
+    Raises ValueError for wrong arguments.
+    """
+    filter_ = vtkRelievoVisibility()
+    for each in _listed(cameras):
+        filter_.AddCamera(_sensor(each, size).model)
+    filter_.SetCloud(bool(cloud))
+    is_scene = (isinstance(thing, list) or inner_renderer(thing) is not None
+                or prop_of(thing) is not None)
+    props = None
+    if is_scene:
+        scene = rays(thing)
+        scene.scene.OpaqueOnlyOn()  # as in the layers of a frame
+        with Watch(scene.scene):
+            scene.scene.Update()
+        props = _Props(scene)
+    _give(filter_, thing if props is None else props.mesh, occluders)
+    _run(filter_, "visible")
+    seen, points = (_copy(filter_.GetOutput(port)) for port in (0, 1))
+    if props is not None:
+        seen, points = props.split(seen), props.number(points)
+    return (seen, points) if cloud else seen
+
+
+class _Props:
+    """The meshes of a scene joined in world coordinates, and results split by props."""
+
+    def __init__(self, scene):
+        meshes = [[] for _ in scene.props]
+        parts = []
+        for number in range(scene.scene.GetNumberOfMeshes()):
+            mesh = vtkPolyData()
+            scene.scene.CopyMesh(number, mesh)
+            block = numpy.full(mesh.GetNumberOfCells(), scene.scene.GetMeshBlock(number))
+            _add(mesh.GetCellData(), "block", block.astype(numpy.int32))
+            prop = scene.scene.GetMeshProp(number)
+            if prop < 0:  # an occluder without a number
+                parts.append((-1, mesh))
+            else:
+                meshes[prop].append(mesh)
+        self._meshes = [_append(each) if each else None for each in meshes]
+        parts += [(prop, mesh) for prop, mesh in enumerate(self._meshes) if mesh is not None]
+        self.mesh = _append([_numbered(mesh, prop) for prop, mesh in parts])
+
+    def split(self, seen):
+        """Splits the arrays by props; None for a prop without a mesh."""
+        there = [number for number, mesh in enumerate(self._meshes) if mesh is not None]
+        for kind in ("GetCellData", "GetPointData") if there else ():
+            data = getattr(seen, kind)()
+            prop, place = (_values(data, each) for each in (_PROP, _PLACE))
+            order = numpy.lexsort((place, prop))
+            begins, ends = (numpy.searchsorted(prop[order], there, side)
+                            for side in ("left", "right"))
+            for name in ("seen", "pixels", "solid_angle"):
+                if data.HasArray(name):
+                    values = _values(data, name)[order]
+                    for number, begin, end in zip(there, begins, ends):
+                        _add(getattr(self._meshes[number], kind)(), name, values[begin:end])
+        return self._meshes
+
+    def number(self, points):
+        """Sets the points' arrays actor, and cell as its own number."""
+        data = points.GetPointData()
+        prop = own = numpy.empty(0, numpy.int64)
+        if data.HasArray("cell") and points.GetNumberOfPoints() > 0:
+            cell = _values(data, "cell")
+            prop, own = (_values(self.mesh.GetCellData(), each)[cell] for each in (_PROP, "cell"))
+        _add(data, "actor", prop.astype(numpy.int32))
+        _add(data, "cell", own)
+        return points
+
+
+_PROP, _PLACE = "relievo:prop", "relievo:place"  # prop and index of a cell or a point
+
+
+def _numbered(mesh, prop):
+    """The mesh with these arrays, and otherwise only the cells' numbers."""
+    copy = vtkPolyData()
+    copy.CopyStructure(mesh)
+    copy.GetCellData().AddArray(mesh.GetCellData().GetArray("cell"))
+    for data, count in ((copy.GetCellData(), mesh.GetNumberOfCells()),
+                        (copy.GetPointData(), mesh.GetNumberOfPoints())):
+        _add(data, _PROP, numpy.full(count, prop, numpy.int32))
+        _add(data, _PLACE, numpy.arange(count))
+    return copy
+
+
+def _append(meshes):
+    if len(meshes) == 1:
+        return meshes[0]
+    append = vtkAppendPolyData()
+    append.SetOutputPointsPrecision(vtkAlgorithm.DOUBLE_PRECISION)
+    for mesh in meshes:
+        append.AddInputData(mesh)
+    if meshes:
+        append.Update()
+    return _copy(append.GetOutput())
+
+
+def _values(data, name):
+    return vtk_to_numpy(data.GetArray(name))
+
+
+def _add(data, name, values):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    data.AddArray(array)
+
+
+# The function's names of the filter's parameters. The place is two arguments, the days are dates.
+_OF_SUN = keywords_of(
+    vtkRelievoSunExposure(),
+    {"day_step": "every", "up_axis": "up", "sky_samples": "sky"},
+    without=("latitude", "longitude"),
+)
+_SUN_SIGNATURE = inspect.Signature(
+    keywords(dict.fromkeys(("mesh", "latitude", "longitude", "first"), inspect.Parameter.empty))
+    + keywords({"last": None, "occluders": (), **defaults_of(vtkRelievoSunExposure(), _OF_SUN)}),
+    return_annotation=vtkPolyData,
+)
+
+
+def sun_exposure(*arguments, **given):
+    bound = bind("sun_exposure", _SUN_SIGNATURE, arguments, given)
+    bound.apply_defaults()
+    given = bound.arguments
+    filter_ = vtkRelievoSunExposure()
+    for keyword, name in {"latitude": "latitude", "longitude": "longitude", **_OF_SUN}.items():
+        set_value("sun_exposure", filter_, name, given[keyword], keyword)
+    first, last = given["first"], given["last"]
+    filter_.SetFirstDay(*_day("first", first))
+    filter_.SetLastDay(*_day("last", first if last is None else last))
+    _give(filter_, given["mesh"], given["occluders"])
+    _run(filter_, "sun_exposure")
+    return _copy(filter_.GetOutput())
+
+
+sun_exposure.__signature__ = _SUN_SIGNATURE  # type: ignore[attr-defined]
+sun_exposure.__doc__ = f"""Returns the mesh with its hours of sun.
+
+    town = relievo.sun_exposure(town, 48.2, 16.4, "2026-01-01", "2026-12-31", every=7)
+
+mesh: a dataset or a filter that makes one; data other than polygons count by their outer
+    surface. Normals point outwards.
+latitude, longitude: degrees, -90 to 90 and -180 to 180, north and east positive.
+first, last: the first and the last day, as datetime.date or "2026-06-21"; last None: one day.
+occluders: other data that shade it, one or a list.
+{describe_all(vtkRelievoSunExposure(), _OF_SUN)}
+
+Returns vtkPolyData with the arrays sun_hours, insolation (hours times the cosine between the
+sun and the normal) and sky_view (share of a uniform sky's light, 0 to 1), and the field data
+possible_hours. Raises ValueError for wrong arguments.
+"""
+
+
+_OF_COVER = keywords_of(vtkRelievoCover(), {}, without=("number_of_places", "weights"))
+_COVER_SIGNATURE = inspect.Signature(
+    keywords(dict.fromkeys(("mesh", "candidates", "k"), inspect.Parameter.empty))
+    + keywords({"occluders": (), "directions": None, "weights": None,
+                **defaults_of(vtkRelievoCover(), _OF_COVER)}),
+    return_annotation=tuple,
+)  # fmt: skip
+
+
+def cover(*arguments, **given):
+    bound = bind("cover", _COVER_SIGNATURE, arguments, given)
+    bound.apply_defaults()
+    given = bound.arguments
+    filter_ = vtkRelievoCover()
+    for keyword, name in {"k": "number_of_places", **_OF_COVER}.items():
+        set_value("cover", filter_, name, given[keyword], keyword)
+    _give(filter_, given["mesh"], given["occluders"])
+    if given["weights"] is not None:
+        mesh = _copy(filter_.GetInputDataObject(0, 0))
+        weights = numpy.asarray(given["weights"], float)
+        if weights.shape != (mesh.GetNumberOfCells(),):
+            raise ValueError(f"weights: got an array of shape {weights.shape}, expected one number "
+                             f"for each of {mesh.GetNumberOfCells()} cells")
+        _add(mesh.GetCellData(), _WEIGHTS, weights)
+        filter_.SetInputDataObject(0, mesh)
+        filter_.SetWeights(_WEIGHTS)
+    filter_.SetInputDataObject(2, _candidates(given["candidates"], given["directions"]))
+    _run(filter_, "cover")
+    covered, places = (_copy(filter_.GetOutput(port)) for port in (0, 1))
+    covered.GetCellData().RemoveArray(_WEIGHTS)
+    return covered, places
+
+
+_WEIGHTS = "relievo:weights"
+
+
+def _candidates(places, directions):
+    """Points with directions as vectors."""
+    if not hasattr(places, "__array__") and not isinstance(places, (list, tuple)):
+        data = need_data(places, "candidates")
+    else:
+        data = vtkPolyData()
+        data.SetPoints(vtkPoints())
+        data.GetPoints().SetData(numpy_to_vtk(_vectors("candidates", places), deep=True))
+    if directions is not None:
+        given = _vectors("directions", directions)
+        if len(given) != data.GetNumberOfPoints():
+            raise ValueError(f"directions: got {len(given)}, expected one for each of "
+                             f"{data.GetNumberOfPoints()} candidates")
+        copy = data.NewInstance()
+        copy.ShallowCopy(data)
+        vectors = numpy_to_vtk(given, deep=True)
+        vectors.SetName("relievo:directions")
+        copy.GetPointData().SetVectors(vectors)
+        data = copy
+    return data
+
+
+def _vectors(name, values):
+    values = numpy.ascontiguousarray(values, float)
+    if values.ndim != 2 or values.shape[1] != 3:
+        raise ValueError(f"{name}: got an array of shape {values.shape}, expected (n, 3)")
+    return values
+
+
+cover.__signature__ = _COVER_SIGNATURE  # type: ignore[attr-defined]
+cover.__doc__ = f"""Chooses, of many candidate places, the k from which most of a mesh is seen.
+
+    site, cameras = relievo.cover(site, numpy.array(poles), 6, farthest_distance=40)
+    share = site.GetFieldData().GetArray("share").GetValue(0)
+
+mesh: a dataset or a filter that makes one; of data other than polygons, the outer surface. Cells
+    count by their areas.
+candidates: an array (n, 3) of places, or a dataset whose points are the places.
+k: how many to choose, from 1.
+occluders: other data that occlude the mesh, one or a list.
+directions: an array (n, 3) of directions in which the candidates look; None: the point vectors of
+    the dataset, if it has any. Needed if view_angle is less than 360.
+weights: one number for each cell, by which its area is multiplied; None: 1.
+{describe_all(vtkRelievoCover(), _OF_COVER)}
+
+Returns two vtkPolyData. The mesh has the cell arrays covered (number of chosen places that see
+the cell) and candidates (number of candidates that see it), and the field data share (covered part
+of the weighted area), reachable (part that all candidates together cover) and bound (no choice of
+k places covers a larger part). The chosen places, in their order, have the arrays candidate (its
+index), gain (the part that it adds) and share (the part covered so far). Raises ValueError for
+wrong arguments.
+"""
+
+
+class Moment:
+    """A copy of a scene and its camera, made by moment() and compared by flow()."""
+
+    def __init__(self, thing, camera, size, point_ids):
+        self.scene = vtkRelievoRayScene()
+        self.sensor = _sensor_of(thing, camera, size).copy()
+        scene = rays(thing).scene
+        if not isinstance(point_ids, (str, type(None))):
+            raise ValueError(f"point_ids: got {describe(point_ids)}, expected an array's name")
+        scene.SetPointIds(point_ids)
+        with Watch(scene):
+            self.scene.CopyStateOf(scene)
+
+
+def moment(thing, camera=None, size=None, point_ids=None) -> Moment:
+    """Copies the current state of a scene, for flow().
+
+    thing: as for rays(): a renderer, a plotter, data.
+    camera: a CameraModel, or a vtkCamera; None for the renderer's own, seen in `size` pixels.
+    size: (columns, rows); None for the size of the renderer's viewport.
+    point_ids: name of a point array of integers that identifies points when the data are meshed
+        anew; None: points are identified by their index, and changed cells have no flow.
+
+    Raises ValueError for wrong arguments.
+    """
+    return Moment(thing, camera, size, point_ids)
+
+
+def flow(before, thing, camera=None, size=None) -> vtkImageData:
+    """Returns the movement of a moment's pixels until now: optical and scene flow, in double.
+
+    For the flow from now to a moment, as layers: capture(…, previous=).
+
+        before = relievo.moment(renderer, size=(640, 480))
+        actor.RotateY(5)
+        image = relievo.flow(before, renderer)
+        dx, dy = relievo.layer(image, "flow")[..., 0], relievo.layer(image, "flow")[..., 1]
+
+    before: from moment(). thing: the scene now, or another moment. camera, size: as for moment();
+        size None: that of the moment.
+
+    Returns vtkImageData of the moment's size with the layers flow (2 floats: pixels, x right, y
+    down; NaN in the background), motion (3 floats: world units) and flow_valid (1 where the point
+    is now within the picture and unoccluded). Raises ValueError for wrong
+    arguments.
+    """
+    if not isinstance(before, Moment):
+        raise ValueError(f"before: got {describe(before)}, expected what moment() returns")
+    if isinstance(thing, Moment):
+        scene, sensor = thing.scene, thing.sensor
+    else:
+        scene = rays(thing).scene
+        scene.SetPointIds(before.scene.GetPointIds())
+        sensor = _sensor_of(thing, camera, before.sensor.size if size is None else size)
+    source = vtkRelievoFlow()
+    source.SetFrom(before.scene, before.sensor.model)
+    source.SetTo(scene, sensor.model)
+    return _image(source, "flow", before.scene, scene)
+
+
+def _sensor_of(thing, camera, size):
+    if camera is None:
+        renderer = inner_renderer(thing)
+        if renderer is None:
+            raise ValueError("camera: got None, expected a camera; only a renderer has its own")
+        camera = renderer.GetActiveCamera()
+        size = tuple(renderer.GetSize()) if size is None else size
+    return _sensor(camera, size)
+
+
+def _sensor(camera, size):
+    if isinstance(camera, CameraModel):
+        return camera
+    if size is None:
+        raise ValueError("size: expected (columns, rows) of the picture of a vtkCamera")
+    return sensor_of(camera, size)
+
+
+def _listed(things):
+    if things is None:
+        return []
+    return list(things) if isinstance(things, (list, tuple)) else [things]
+
+
+def _number(name, value, low, high, whole=False):
+    try:
+        right = low <= value <= high and (not whole or int(value) == value)
+    except TypeError:
+        right = False
+    if not right:
+        kind = "a whole number" if whole else "a number"
+        raise ValueError(f"{name}: got {value!r}, expected {kind} from {low} to {high}")
+    return int(value) if whole else float(value)
+
+
+def _day(name, day):
+    if isinstance(day, str):
+        try:
+            day = datetime.date.fromisoformat(day)
+        except ValueError:
+            pass
+    if not isinstance(day, datetime.date):
+        raise ValueError(f"{name}: got {day!r}, expected a datetime.date or '2026-06-21'")
+    return day.year, day.month, day.day
+
+
+def _surface(thing):
+    data = need_data(thing, "mesh")
+    if is_a(data, "vtkPolyData"):
+        return data
+    surface = (
+        vtkCompositeDataGeometryFilter() if is_a(data, "vtkCompositeDataSet")
+        else vtkGeometryFilter()
+    )
+    surface.SetInputDataObject(data)
+    surface.Update()
+    return outwards(surface.GetOutputDataObject(0), data)
+
+
+def _give(filter_, mesh, occluders):
+    filter_.SetInputDataObject(0, _surface(mesh))
+    for each in _listed(occluders):
+        filter_.AddInputDataObject(1, _surface(each))
+
+
+def _run(filter_, subject, *others):
+    with Watch(filter_, *others) as watch:
+        filter_.Update()
+    watch.raise_as(ValueError, subject)
+
+
+def _image(source, subject, *others):
+    _run(source, subject, *others)
+    image = vtkImageData()
+    image.ShallowCopy(source.GetOutput())
+    return image
+
+
+def _copy(data):
+    copy = vtkPolyData()
+    copy.ShallowCopy(data)
+    return copy
