@@ -18,9 +18,48 @@ import sys
 
 import gallery
 import reference
+from relievo.vtk.vtkImagingCore import vtkImageResize
+from relievo.vtk.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+
+# What users search for, where the page has other words: the index terms of a page come first.
+TERMS = {
+    "cameras": ("K matrix", "camera matrix", "intrinsics", "extrinsics", "OpenCV", "distortion"),
+    "command-line": ("colour bar", "color bar", "scalar bar", "turntable", "video"),
+    "compare": ("image regression", "baseline", "pytest", "ctest", "image comparison"),
+    "datasets": ("COCO", "BOP", "NeRF", "YOLO", "KITTI", "segmentation mask", "training data"),
+    "exr": ("OpenEXR",),
+    "install": ("pip", "wheel", "apt", "installation"),
+    "layers": ("depth buffer", "z-buffer", "depth map", "g-buffer", "object id"),
+    "parts": ("Slurm", "Dask", "cluster"),
+    "passes/Ambient": ("ambient occlusion", "SSAO", "contact shadow"),
+    "passes/Antialias": ("anti-aliasing", "supersampling", "FXAA"),
+    "passes/Tone": ("tone mapping", "HDR", "exposure"),
+    "rays": ("ray tracing", "ray casting", "intersection"),
+    "shadows": ("shadow map", "soft shadow", "shadow acne", "volume shadow"),
+}
+
+# Pictures of the guide's cards for pages that begin with none.
+CARDS = {
+    "choosing-formats": "charts/depth-ratio.svg",
+    "command-line": "pictures/lines-hidden.png",
+    "exr": "pictures/layers.png",
+    "frame": "charts/effects.svg",
+    "gltf": "pictures/windows-viewer-model.png",
+    "install": "pictures/demo.png",
+    "material-filters": "site/static/pairs/relief-on.png",
+    "parts": "charts/scale.svg",
+    "passes/Antialias": "charts/studio.svg",
+    "passes/Blend": "pictures/soft_borders.png",
+    "passes/Deferred": "charts/deferred.svg",
+    "passes/EmptySpace": "pictures/smoke.png",
+    "passes/Tone": "site/static/pairs/tone-on.png",
+    "python": "pictures/scale-bar.png",
+    "shadow-matrix": "site/static/pairs/colored-on.png",
+}
+CARD_WIDTH = 480
 
 
 def install_lines():
@@ -42,12 +81,91 @@ def linked(text, depth):
     return re.sub(rf"{root}(shaders/[^)#]*)\)", rf"]({up}sources/\1)", text)
 
 
+def slug(title):
+    """The anchor of a heading."""
+    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+
+
+def short_headings(text):
+    """Headings that are signatures become names above the signatures, which the list of a page
+    shows whole; also the new anchors by the old ones.
+    """
+    anchors = {}
+
+    def shortened(match):
+        signatures = re.split(r", (?=\w+\()", match[1])
+        names = ", ".join(signature.split("(")[0] for signature in signatures)
+        anchors[slug(match[1])] = slug(names)
+        return f"### {names}\n\n```text\n" + "\n".join(signatures) + "\n```\n"
+
+    return re.sub(r"^### (\w+\(.*)\n", shortened, text, flags=re.M), anchors
+
+
+def with_terms(name, text):
+    """A page with its index terms below the title."""
+    terms = ", ".join(f"! {term}" for term in TERMS.get(name, ()))
+    return text.replace("\n", f"\n\n```{{index}} {terms}\n```\n", 1) if terms else text
+
+
+def shrink(source, dest):
+    """A picture as wide as a card."""
+    reader, resize, writer = vtkPNGReader(), vtkImageResize(), vtkPNGWriter()
+    reader.SetFileName(str(source))
+    reader.Update()
+    columns, rows, _ = reader.GetOutput().GetDimensions()
+    resize.SetInputConnection(reader.GetOutputPort())
+    resize.SetOutputDimensions(CARD_WIDTH, max(1, CARD_WIDTH * rows // columns), 1)
+    dest.parent.mkdir(parents=True, exist_ok=True)
+    writer.SetFileName(str(dest))
+    writer.SetInputConnection(resize.GetOutputPort())
+    writer.Write()
+
+
+def lay_cards(dest):
+    """The guide's and the start page's lists of pages as cards with pictures."""
+
+    def picture_of(page):
+        text = (dest / f"{page}.md").read_text()
+        found = re.search(r"!\[[^\]]*\]\((?:\.\./)*([^)]*)\)", text)
+        picture = CARDS.get(page) or (found and found[1])
+        if not picture:
+            raise SystemExit(f"build.py: {page}.md begins with no picture, and CARDS has none")
+        if picture.endswith(".svg"):
+            return picture
+        small = "cards/" + picture.rsplit("/", 1)[-1]
+        if not (dest / small).exists():
+            shrink(dest / picture, dest / small)
+        return small
+
+    def cards(match):
+        caption, pages = re.search(r":caption: (.*)\n", match[0])[1], match[1].split()
+        text = f"## {caption}\n\n::::{{grid}} 2 2 3 3\n:gutter: 3\n\n"
+        for page in pages:
+            title = re.match(r"# (.*)\n", (dest / f"{page}.md").read_text())[1].replace("`", "")
+            text += (f":::{{grid-item-card}} {title}\n:link: {page}\n:link-type: doc\n"
+                     f":img-top: {picture_of(page)}\n:img-alt: {title}\n:::\n")
+        return text + "::::\n\n" + match[0].replace(":maxdepth: 1", ":hidden:")
+
+    guide = (dest / "guide.md").read_text()
+    made = re.sub(r"```\{toctree\}\n(?::.*\n)*((?:[\w/-]+\n)*)```", cards, guide)
+    (dest / "guide.md").write_text(made)
+    home = (dest / "index.md").read_text()
+    for picture in set(re.findall(r":img-top: cards/(.*)", home)):
+        if not (dest / "cards" / picture).exists():
+            shrink(dest / "pictures" / picture, dest / "cards" / picture)
+
+
 def lay_pages(dest):
+    shown, anchors = short_headings((ROOT / "docs/python.md").read_text())
     for page in sorted((ROOT / "docs").rglob("*.md")):
         name = page.relative_to(ROOT / "docs")
         if name.parts[0] == "site":
             continue
-        text = linked(page.read_text(), len(name.parts) - 1)
+        text = shown if name.name == "python.md" else page.read_text()
+        for old, new in anchors.items():
+            text = text.replace(f"(#{old})" if name.name == "python.md" else f"python.md#{old})",
+                                f"(#{new})" if name.name == "python.md" else f"python.md#{new})")
+        text = with_terms(str(name.with_suffix("")), linked(text, len(name.parts) - 1))
         for source in re.findall(r"\]\((?:\.\./)*sources/([^)]*)\)", text):
             kept = dest / "sources" / source
             kept.parent.mkdir(parents=True, exist_ok=True)
@@ -65,6 +183,8 @@ def lay_pages(dest):
     (dest / "index.md").write_text(home)
     shutil.copytree(HERE / "static", dest / "site/static")
     shutil.copy(HERE / "conf.py", dest)
+    project = (ROOT / "CMakeLists.txt").read_text()
+    (dest / "version").write_text(re.search(r"^project\(\w+ VERSION ([\d.]+)", project, re.M)[1])
 
 
 def lay_examples(dest):
@@ -99,6 +219,7 @@ def main():
     lay_examples(dest)
     reference.lay(dest / "api")
     gallery.lay(dest)
+    lay_cards(dest)
 
 
 main()

@@ -13,6 +13,7 @@ Exit status: 0, or 1 with a line for each fault.
 import functools
 import html.parser
 import http.server
+import inspect
 import json
 import pathlib
 import subprocess
@@ -26,6 +27,9 @@ import relievo
 
 TELEPHONE = (390, 844)
 SCREEN = (1280, 900)
+# What users search for, and the page that is the first to be found.
+FIRST = {"shadow map": "shadows.html", "K matrix": "cameras.html", "depth buffer": "layers.html",
+         "tone mapping": "passes/Tone.html", "install": "install.html"}
 
 
 class Page(html.parser.HTMLParser):
@@ -135,6 +139,25 @@ def in_browser(site, browser, pictures):
             "search.html?q=xyzzyplugh", "return page.querySelectorAll('ul.search li').length")
         if none != 0:
             yield f"search.html: 'xyzzyplugh' finds {none}"
+        for query, page in FIRST.items():
+            first = browser.found(
+                f"search.html?q={urllib.parse.quote(query)}",
+                "return page.querySelector('ul.search li a')?.getAttribute('href')")
+            if not first or not first.startswith(page):
+                yield f"search.html: '{query}' finds {first} first, and not {page}"
+        listed = set(browser.found("python.html", """
+            return [...page.querySelectorAll(".page-toc a")].flatMap(
+              (link) => link.textContent.trim().split(", "));""") or ())
+        functions = {name for name in relievo.__all__ if inspect.isfunction(getattr(relievo, name))}
+        if functions - listed:
+            yield f"python.html: 'On this page' lacks {', '.join(sorted(functions - listed))}"
+        cut = browser.found("api/Shadows.html", """
+            const shown = page.querySelector(".page-toc").getBoundingClientRect();
+            return [...page.querySelectorAll(".page-toc a code, .page-toc a .pre")]
+              .filter((name) => name.getBoundingClientRect().right > shown.right)
+              .map((name) => name.textContent);""")
+        if cut != []:
+            yield f"api/Shadows.html: 'On this page' cuts off {cut}"
         cut = browser.found("gallery.html", """
             const pair = page.querySelector(".pair"), handle = pair.querySelector("input");
             const at = () => view.getComputedStyle(pair.querySelectorAll("img")[1]).clipPath;
@@ -190,7 +213,7 @@ def in_browser(site, browser, pictures):
         browser.shown.unlink(missing_ok=True)
     if pictures:
         pictures.mkdir(parents=True, exist_ok=True)
-        for page in ("index", "gallery", "which-shadows", "shadows", "api/Shadows"):
+        for page in ("index", "guide", "gallery", "install", "python", "shadows", "api/Shadows"):
             for name, size in (("screen", SCREEN), ("telephone", TELEPHONE)):
                 file = pictures / f"{page.replace('/', '-')}-{name}.png"
                 browser.run(f"{page}.html", f"--screenshot={file}", size=size)

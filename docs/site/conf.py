@@ -3,10 +3,12 @@
 """Sphinx's settings of the site; tools/site runs it on what build.py lays out."""
 
 import os
+import pathlib
 
 os.environ["PYDEVD_DISABLE_FILE_VALIDATION"] = "1"  # of the notebooks' kernels, which would warn
 project = "Relievo"
 copyright = "The Relievo authors"
+version = release = (pathlib.Path(__file__).parent / "version").read_text()
 extensions = ["myst_nb", "sphinx_copybutton", "sphinx_design"]
 myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 4
@@ -17,10 +19,12 @@ nb_execution_mode = "force"
 nb_execution_timeout = 600
 nb_execution_raise_on_error = True
 nb_merge_streams = True
+toc_object_entries_show_parents = "hide"
 exclude_patterns = ["site", "_build"]
 
 html_theme = "pydata_sphinx_theme"
-html_title = "Relievo"
+html_title = f"Relievo {version}"
+html_logo = html_favicon = "site/static/logo.svg"
 html_static_path = ["site/static"]
 html_css_files = ["style.css"]
 html_js_files = ["pairs.js"]
@@ -28,7 +32,8 @@ html_sidebars = {"gallery": [], "index": []}
 html_show_sourcelink = False
 html_copy_source = False
 html_theme_options = {
-    "logo": {"text": "Relievo"},
+    "logo": {"text": html_title, "alt_text": "Relievo: the start page"},
+    "show_toc_level": 2,
     "header_links_before_dropdown": 6,
     "navbar_end": ["theme-switcher"],
     "show_prev_next": True,

@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import re
 
 import numpy
 import relievo
@@ -20,7 +21,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-import demo_sheet  # this and the next of examples/
+import demo_scene  # this and the next two of examples/
+import demo_sheet
 import scene
 
 DATA = pathlib.Path(os.environ["RELIEVO_DATA"])
@@ -84,37 +86,21 @@ def renderer_of(actors, eye, focus, sky=SKY, angle=30):
     return renderer, window
 
 
-def bike(color=(0.75, 0.1, 0.08), **properties):
-    reader = relievo.vtkRelievoOBJReader()
-    reader.SetFileName(str(DATA / "motorBike.obj"))
-    reader.Update()
-    mesh = vtkAppendPolyData()
-    blocks = reader.GetOutputDataObject(0)
-    for data in blocks_of(blocks):
-        mesh.AddInputData(data)
-    mesh.Update()
-    mesh = mesh.GetOutput()
-    bounds = mesh.GetBounds()
-    middle = [-(bounds[0] + bounds[1]) / 2, -(bounds[2] + bounds[3]) / 2, -bounds[4]]
-    actor = actor_of(mesh, color, **properties)
-    actor.SetPosition(*middle)
-    return actor
+def bike():
+    """The demo's motorbike, z up; its linear colours are encoded, since lights here are not."""
+    for material, mesh in demo_scene.read_bike(str(DATA / "motorBike.obj")).items():
+        color = numpy.power(demo_scene.MATERIALS[material][0], 1 / 2.2)
+        actor = actor_of(mesh, color)
+        actor.RotateX(90)
+        yield actor
 
 
-def blocks_of(data):
-    if data.IsA("vtkPolyData"):
-        yield data
-        return
-    for index in range(data.GetNumberOfBlocks()):
-        if data.GetBlock(index):
-            yield from blocks_of(data.GetBlock(index))
-
-
-def studio(strength=1.0, **properties):
+def studio(strength=1.0):
     renderer, window = renderer_of(
-        [bike(**properties), ground(6)], (-2.6, -2.6, 1.5), (0.05, 0, 0.5), angle=28)
-    light(renderer, (-3, -1.5, 4), 0.9 * strength)
-    light(renderer, (2, -4, 2), 0.3 * strength, (0.8, 0.9, 1))
+        [*bike(), ground(6)], (-2.6, -2.6, 1.5), (0.05, 0, 0.5), angle=28)
+    light(renderer, (-3, -1.5, 4), 0.8 * strength)
+    light(renderer, (2, -4, 2), 0.35 * strength, (0.8, 0.9, 1))
+    light(renderer, (-2, -4, 0.5), 0.25 * strength)
     return renderer, window
 
 
@@ -238,6 +224,10 @@ def cobbles():
     return renderer, window, {"actor": floor, "heights": heights()}
 
 
+# Pages whose first picture and first lines the gallery shows below the pairs.
+SHOWN = ("layers", "cameras", "rays", "compare", "datasets", "volume-filters", "voxels", "caves",
+         "particles", "animation")
+
 # Name, title, what makes the scene, lines of both pictures, the lines that are on in the second,
 # and the page that says more.
 PAIRS = [
@@ -248,7 +238,7 @@ PAIRS = [
     ("colored", "Coloured shadows", panes,
      "relievo.attach(renderer).ShadowsOn()\nshadows = relievo.attach(renderer).GetShadowStage()\n"
      "shadows.SetMethodToExact()", "shadows.ColoredShadowsOn()", "shadows"),
-    ("environment", "Environments", lambda: studio(0.35, color=(0.5, 0.51, 0.53)),
+    ("environment", "Environments", lambda: studio(0.35),
      "", 'relievo.environment(renderer, "forest.exr", up="z")', "environment"),
     ("lamps", "Thousands of lamps", night, "",
      'relievo.lamps(renderer, street_lamps, radius=9, intensity=0.7, falloff="linear")',
@@ -260,6 +250,9 @@ PAIRS = [
      "relievo.fog(renderer, mist, density=0.05, color=(0.8, 0.85, 0.9))", "passes/Fog"),
     ("markers", "Markers", valley, "",
      "relievo.markers(renderer, sites, radius=0.8, color=(1, 0.45, 0))", "passes/Markers"),
+    ("ambient", "Ambient occlusion", studio, "", 'relievo.stage(renderer, "ambient")',
+     "passes/Ambient"),
+    ("lines", "Lines", studio, "", 'relievo.stage(renderer, "lines")', "passes/Lines"),
     ("relief", "Relief on two triangles", cobbles, "",
      "material = relievo.vtkRelievoMaterial()\nmaterial.SetHeightMap(heights)\n"
      "material.SetHeightScale(0.06)\nmaterial.Attach(actor)\nrelievo.attach(renderer).ShadowsOn()",
@@ -281,11 +274,20 @@ def write(window, path):
     demo_sheet.write_png(path, pixels.astype(numpy.uint8))
 
 
+def opening(page):
+    """A page's title, its first picture with the words for it, and its first block of lines."""
+    text = page.read_text()
+    title = re.match(r"# (.*)\n", text)[1]
+    words, picture = re.search(r"!\[([^\]]*)\]\(([^)]*)\)", text).groups()
+    return title, words, picture, re.search(r"^```(?!{).*?^```$", text, re.M | re.S)[0]
+
+
 def lay(dest):
     pairs = dest / "site/static/pairs"
     pairs.mkdir()
     text = ("# Gallery\n\nDrag across a picture: the effect is off on the left and on at the "
-            "right. Each pair was drawn by the lines below it, when this site was built.\n")
+            "right. Each pair was drawn by the lines below it, when this site was built. "
+            "[More capabilities](#measuring-and-making-data) follow below the pairs.\n")
     os.chdir(DATA)  # where the lines find their files
     for name, title, make, before, lines, page in PAIRS:
         renderer, window, *named = make()
@@ -301,5 +303,10 @@ def lay(dest):
                  f"<span class=\"off\">off</span><span class=\"on\">on</span>\n"
                  f"<input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"{title}: "
                  f"where the effect begins\">\n</div>\n```\n\n```python\n{shown}\n```\n\n"
+                 f"More: [{title.lower()}]({page}.md).\n")
+    text += "\n## Measuring and making data\n"
+    for page in SHOWN:
+        title, words, picture, lines = opening(dest / f"{page}.md")
+        text += (f"\n### {title}\n\n![{words}]({picture})\n\n{lines}\n\n"
                  f"More: [{title.lower()}]({page}.md).\n")
     (dest / "gallery.md").write_text(text)

@@ -11,8 +11,12 @@ from relievo import _wrapped
 
 
 def escaped(text):
-    """Words of a docstring as reStructuredText that shows them unchanged."""
-    return re.sub(r"([\\*`|_])", r"\\\1", text)
+    """Words of a docstring as reStructuredText: `code` as code, all else unchanged."""
+    pieces = re.split(r"`([^`\s](?:[^`]*[^`\s])?)`", text)
+    pieces[::2] = [re.sub(r"([\\*`|_])", r"\\\1", piece) for piece in pieces[::2]]
+    # A backslash and a space end code that touches a letter, and are not shown.
+    pieces[1::2] = [rf"\ ``{piece}``\ " for piece in pieces[1::2]]
+    return "".join(pieces)
 
 
 def paragraphs(text):
@@ -61,7 +65,9 @@ def method(what):
 
 def lay_class(cls):
     words = re.sub(r"\A\w+ - |^Superclass: .*\n*", "", inspect.getdoc(cls), flags=re.M)
-    text = f".. py:class:: {cls.__name__}({cls.__mro__[1].__name__})\n\n"
+    # The page's list has the heading above the class.
+    text = (f".. py:class:: {cls.__name__}({cls.__mro__[1].__name__})\n"
+            "   :no-contents-entry:\n\n")
     text += textwrap.indent(paragraphs(words), "   ") + "\n\n"
     for name, what in sorted(vars(cls).items()):
         usual = ("NewInstance", "IsA", "IsTypeOf", "SafeDownCast", "GetNumberOfGenerationsFromBase",
