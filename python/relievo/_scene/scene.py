@@ -296,10 +296,10 @@ def _describe():
     relievo.scene("bike.obj").render("bike.png")
 
 files: in formats that `relievo --help` lists. Options are those of the command, with _ for -: text
-as behind the option, a number, a tuple of numbers, True for an option without a value; a list for one that
-may be repeated. Raises ValueError for wrong options; FileNotFoundError, IsADirectoryError or
-another OSError for a file that cannot be opened, at once, and OSError for one that cannot be read
-or written; RuntimeError for drawing that fails.
+as behind the option, a number, a tuple of numbers, True for an option without a value; a list for
+one that may be repeated. Raises ValueError for wrong options; FileNotFoundError, IsADirectoryError
+or another OSError for a file that cannot be opened, at once, and OSError for one that cannot be
+read or written; RuntimeError for drawing that fails.
 
 '''
     for name, row in _OPTIONS.items():
