@@ -53,7 +53,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** What is seen, which must be in a render window, and what sees it. */
+  /** The renderer, which must be in a render window, and the sensor that sees it. */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
   void SetCamera(vtkRelievoCameraModel* camera);

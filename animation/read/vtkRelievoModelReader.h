@@ -29,7 +29,7 @@
  *
  * Between keys, positions and scales are linear, rotations take the shorter arc; glTF's STEP holds
  * the key before, its CUBICSPLINE follows the splines. Before the first key and after the last
- * these hold. What was mended or left out while reading is in GetNote().
+ * these hold. GetNote() lists repairs and omissions.
  *
  * Morph targets of glTF are played; at POSE_REST, too, for vtkRelievoSkin to move their result.
  *

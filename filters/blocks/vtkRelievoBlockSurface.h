@@ -4,9 +4,9 @@
  * @file vtkRelievoBlockSurface.h
  * @brief The surface of labelled blocks with moved vertices, as quads that share them.
  *
- * Slices of blocks are made in slabs on all threads: once to count, once to write. What a vertex or
- * a face is, and the order of every sum, follow from the blocks around it alone; so the result does
- * not depend on threads, nor a part of the surface on the rest.
+ * Slices of blocks are made in slabs on all threads: once to count, once to write. Each vertex and
+ * each face, and the order of every sum, follow from the blocks around it alone. So the result does
+ * not depend on threads, and no part of the surface depends on the rest.
  */
 #ifndef vtkRelievoBlockSurface_h
 #define vtkRelievoBlockSurface_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEXRHeaderScan.h
- * @brief Checks, before OpenEXR uses a header, whether the file's size can contain what it
+ * @brief Checks, before OpenEXR uses a header, whether the file's size can contain the data that it
  * announces.
  *
  * OpenEXR allocates the memory that a header asks for before it reads the data. So the header is

@@ -21,8 +21,8 @@
  * the element `tristrips` are read, else lines of `edge` (`vertex1`, `vertex2`). Other elements are
  * skipped. The files that comments `TextureFile` name are the field array `TextureFiles` (text).
  *
- * Errors: one error event names the file, the element or the line, and what was expected, in
- * particular where the file ends before what its header announces; GetErrorCode() is set and the
+ * Errors: one error event names the file, the element or the line, and what was expected, also if
+ * the file ends before the data that its header announces; GetErrorCode() is set and the
  * output is empty. Memory stays within a small multiple of the file's size, whatever counts the
  * file claims. Numbers that are not finite are read as they are.
  *

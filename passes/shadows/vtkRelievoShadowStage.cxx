@@ -461,7 +461,7 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
     "How shadows are computed. Map, for most scenes: a depth map seen from the light. Warped, for "
     "landscapes: more of a sun's map near the camera. Forward, to compare methods: the map's "
     "samples in the picture's own pixels; slow. Exact, to measure and to print: a ray from each "
-    "pixel past the meshes' own triangles; slower than a map.");
+    "pixel through the meshes' triangles; slower than a map.");
   description
     .AddWhole(
       "map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16, 16384, "texels",
@@ -483,18 +483,17 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
     "", "Fraction of a blocked light that is removed.");
   description.AddFlag(
     "colored_shadows", this->ColoredShadows, [this](bool on) { this->SetColoredShadows(on); },
-    "Exact shadows: translucent surfaces cast, and colour the light that passes them. Every "
-    "method: "
-    "coloured volumes do.");
+    "With exact shadows, translucent surfaces cast, and colour the light that passes them. With "
+    "every method, coloured volumes colour the light.");
   description
     .AddNumber(
       "tolerance", this->Tolerance, [this](double share) { this->SetTolerance(share); }, 0.0, 1.0,
-      "", "Share of wrong pixels that method and map size are chosen for; 0: as they are set.")
+      "", "Share of wrong pixels by which method and map size are chosen; 0: as they are set.")
     .Advanced = true;
   description
     .AddNumber(
       "time_budget", this->TimeBudget, [this](double time) { this->SetTimeBudget(time); }, 0.0,
-      3600000.0, "ms", "Time of a frame that method and map size are chosen for; 0: any.")
+      3600000.0, "ms", "Time of a frame by which method and map size are chosen; 0: any.")
     .Advanced = true;
   description
     .AddWhole(
@@ -517,7 +516,7 @@ void vtkRelievoShadowStage::DescribeSoft(vtkRelievoStageDescription& description
   description.AddWhole(
     "soft_samples", this->SoftSamples, [this](int samples) { this->SetSoftSamples(samples); }, 0,
     4096, "samples",
-    "Samples of each light's size that are gathered; 0: lights are points, and edges are hard.");
+    "Number of samples of each light's shape; 0: lights are points, and edges are hard.");
   description.Parameters.back().Label = "Samples";
   const auto onlyIfSoft = [&description] {
     description.Parameters.back().OnlyIf = "soft_samples!=0";
@@ -525,22 +524,22 @@ void vtkRelievoShadowStage::DescribeSoft(vtkRelievoStageDescription& description
   description
     .AddFlag(
       "soft_at_once", this->SoftAtOnce, [this](bool on) { this->SetSoftAtOnce(on); },
-      "Whether every frame gathers all samples; otherwise one in each frame.")
+      "Whether every frame draws all samples; otherwise each frame adds one.")
     .Label = "All Samples At Once";
   description.Parameters.back().Advanced = true;
   onlyIfSoft();
   description
     .AddWhole(
       "soft_maps", this->SoftMaps, [this](int maps) { this->SetSoftMaps(maps); }, 0, 64, "maps",
-      "Maps, of half the width, in which all samples of a sun are looked up where they are drawn "
-      "at once, which is faster than a map for each; 0: a map for each.")
+      "Number of maps, of half the width, for all samples of a sun that are drawn at once, which "
+      "is faster than a map for each sample; 0: a map for each.")
     .Label = "Maps for All Samples";
   description.Parameters.back().Advanced = true;
   onlyIfSoft();
   description.AddNumber(
     "sun_angle", this->SunAngle, [this](double degrees) { this->SetSunAngle(degrees); }, 0.0,
     vtkRelievoLightSizes::WidestSun, "degrees",
-    "Angle that suns appear under which have no softness of their own.");
+    "Angular diameter of suns that have no softness of their own.");
   description.Parameters.back().Label = "Softness of Suns";
   description.Parameters.back().Advanced = true;
   onlyIfSoft();

@@ -242,7 +242,7 @@ def screenshot(renderer, path=None, size=None, transparent=False) -> numpy.ndarr
     renderer, size: as for capture(). path: a PNG file to write, None for none.
     transparent: whether to include alpha, not premultiplied: 0 in the background.
 
-    Returns uint8 of (rows, columns, 3), or 4 with alpha, ROW 0 AT THE TOP: what the window shows in
+    Returns uint8 of (rows, columns, 3), or 4 with alpha, ROW 0 AT THE TOP: the window's picture in
     the renderer's viewport after all samples, including other renderers' layers. For numbers, use
     capture().
 

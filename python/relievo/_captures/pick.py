@@ -18,7 +18,7 @@ _OF_VOLUMES = ["volume_depth", "volume_position", "volume_normal", "volume_value
 
 
 class Picked(NamedTuple):
-    """What a pixel shows: the nearer of surface and volume."""
+    """The surface or volume that a pixel shows, whichever is nearer."""
 
     kind: str
     """"surface", "volume", or "" where there is neither."""

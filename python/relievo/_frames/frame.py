@@ -60,8 +60,8 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
     def ReadLayers(self, names: Iterable[str], image: Any) -> bool:
         """Adds layers of the last frame to the image, as point arrays of their names.
 
-        Returns True. Raises ValueError for a layer that the last frame did not make or that
-        nothing drawn has, and for anything but a vtkImageData of the frame's size.
+        Returns True. Raises ValueError for a layer that the last frame did not make, for an array
+        that no drawn data have, and if the image is not a vtkImageData of the frame's size.
         """
         require(image, "vtkImageData", "image")
         names = list(names)

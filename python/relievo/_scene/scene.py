@@ -191,7 +191,7 @@ class Scene:
         self._stale = self._scene.GetRenderWindow().GetTileScale() != (1, 1)
 
     def capture_baseline(self, image: Any, portable: bool = False) -> None:
-        """Draws what write_baseline() writes into a vtkImageData."""
+        """Draws a baseline, as write_baseline() writes it, into a vtkImageData."""
         self._say(self._options)
         self._check_files(self._options)
         self._run(lambda: self._scene.CaptureBaseline(image, portable))
@@ -295,11 +295,11 @@ def _describe():
 
     relievo.scene("bike.obj").render("bike.png")
 
-files: what `relievo --help` lists. Options are those of the command, with _ for -: text as behind
-the option, a number, a tuple of numbers, True for an option without a value; a list for one that
-may be repeated. Raises ValueError for wrong options; FileNotFoundError, IsADirectoryError or
-another OSError for a file that cannot be opened, at once, and OSError for one that cannot be read
-or written; RuntimeError for drawing that fails.
+files: in formats that `relievo --help` lists. Options are those of the command, with _ for -: text
+as behind the option, a number, a tuple of numbers, True for an option without a value; a list for
+one that may be repeated. Raises ValueError for wrong options; FileNotFoundError, IsADirectoryError
+or another OSError for a file that cannot be opened, at once, and OSError for one that cannot be
+read or written; RuntimeError for drawing that fails.
 
 '''
     for name, row in _OPTIONS.items():
