@@ -104,7 +104,7 @@ def make_environment(world):
     return environment
 
 
-def wear(actor, environment, reflectivity, roughness):
+def give_material(actor, environment, reflectivity, roughness):
     material = relievo.vtkRelievoMaterial()
     material.SetEnvironment(environment)
     material.SetReflectivity(reflectivity)
@@ -128,10 +128,10 @@ def add_bike(renderer, environment):
     for material, piece in demo_scene.read_bike(scene.data("motorBike.obj")).items():
         colour, _, roughness, _ = demo_scene.MATERIALS[material]
         part = demo_scene.actor(demo_scene.smooth(piece), colour, 0.0, max(roughness, 0.3), turn)
-        wear(part, environment, *MIRRORS[material])
+        give_material(part, environment, *MIRRORS[material])
         renderer.AddActor(part)
     stand = demo_scene.actor(plinth(), (0.42, 0.40, 0.37), 0.0, 0.9)
-    wear(stand, environment, 0.02, 0.9)
+    give_material(stand, environment, 0.02, 0.9)
     renderer.AddActor(stand)
 
 
@@ -144,7 +144,7 @@ def add_balls(renderer, environment):
         ball.SetPhiResolution(96)
         ball.Update()
         mirror = demo_scene.actor(ball.GetOutput(), (0, 0, 0), 0.0, 1.0)
-        wear(mirror, environment, 1.0, i / 5)
+        give_material(mirror, environment, 1.0, i / 5)
         renderer.AddActor(mirror)
 
 

@@ -61,7 +61,7 @@ def make_view(mesh, ground):
     return view, bike, floor
 
 
-def wear_materials(view, bike, floor, cobbles, forest):
+def give_materials(view, bike, floor, cobbles, forest):
     view.RelievoEnvironment = str(forest)
     view.RelievoSkybox = 1
     view.RelievoEnvironmentRotation = 245
@@ -92,9 +92,9 @@ def main():
     write_cobbles(folder / "cobbles.png")
     mesh = simple.OpenDataFile(str(data / "motorBike.obj"))
     ground = simple.Plane(Origin=[-4, -4, 0], Point1=[6, -4, 0], Point2=[-4, 6, 0])
-    plain, worn = make_view(mesh, ground), make_view(mesh, ground)
-    wear_materials(*worn, folder / "cobbles.png", data / "forest.exr")
-    paraview_sheet.save(folder / "paraview_materials.png", [plain[0], worn[0]])
+    plain, covered = make_view(mesh, ground), make_view(mesh, ground)
+    give_materials(*covered, folder / "cobbles.png", data / "forest.exr")
+    paraview_sheet.save(folder / "paraview_materials.png", [plain[0], covered[0]])
 
 
 main()

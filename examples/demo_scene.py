@@ -214,7 +214,7 @@ def softboxes(rows=256):
     return texture
 
 
-def dress(thing, colour, metallic, roughness):
+def set_material(thing, colour, metallic, roughness):
     look = thing.GetProperty()
     look.SetInterpolationToPBR()
     look.SetColor(*colour)
@@ -228,7 +228,7 @@ def actor(mesh, colour, metallic, roughness, place=None):
     mapper.ScalarVisibilityOff()
     thing = vtkActor()
     thing.SetMapper(mapper)
-    dress(thing, colour, metallic, roughness)
+    set_material(thing, colour, metallic, roughness)
     if place is not None:
         thing.SetUserTransform(place)
     return thing
@@ -248,7 +248,7 @@ def blocks_actor(pieces, place):
     mapper.ScalarVisibilityOff()
     thing = vtkActor()
     thing.SetMapper(mapper)
-    dress(thing, *MATERIALS[next(iter(pieces))][:3])
+    set_material(thing, *MATERIALS[next(iter(pieces))][:3])
     thing.SetUserTransform(place)
     return thing
 

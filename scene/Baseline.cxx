@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Baseline.h"
 
-#include "DressedScene.h"
 #include "Errors.h"
 #include "Messages.h"
 #include "Numbers.h"
 #include "Options.h"
 #include "Scene.h"
+#include "StyledScene.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -52,13 +52,13 @@ std::vector<std::string> GetWordsOf(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakeBaseline(const DressedScene& dressed,
-  const RenderOptions& options, const Settings& settings, bool portable)
+vtkSmartPointer<vtkImageData> MakeBaseline(
+  const StyledScene& styled, const RenderOptions& options, const Settings& settings, bool portable)
 {
   vtkNew<vtkRelievoBaseline> baseline;
   baseline->SetPortable(portable);
-  baseline->SetRenderer(dressed.GetRenderer());
-  for (const auto& [actor, name] : dressed.GetObjectNames())
+  baseline->SetRenderer(styled.GetRenderer());
+  for (const auto& [actor, name] : styled.GetObjectNames())
   {
     baseline->SetObjectName(actor, name);
   }
@@ -66,7 +66,7 @@ vtkSmartPointer<vtkImageData> MakeBaseline(const DressedScene& dressed,
   Messages::Check("the baseline", !baseline->Capture(image), "cannot be drawn");
   vtkNew<vtkStringArray> words;
   words->SetName("words");
-  for (const std::string& word : GetWordsOf(dressed.GetRenderer(), options, settings))
+  for (const std::string& word : GetWordsOf(styled.GetRenderer(), options, settings))
   {
     words->InsertNextValue(word);
   }

@@ -17,14 +17,14 @@
 
 namespace scene
 {
-class DressedScene;
+class StyledScene;
 struct RenderOptions;
 
 /// The scene's frame as a baseline, portable or not (vtkRelievoBaseline). Objects have the names of
 /// their files. The field data also has `words`: options of `relievo render` that draw other files
 /// the same way. Throws WorkError.
-vtkSmartPointer<vtkImageData> MakeBaseline(const DressedScene& dressed,
-  const RenderOptions& options, const Settings& settings, bool portable);
+vtkSmartPointer<vtkImageData> MakeBaseline(
+  const StyledScene& styled, const RenderOptions& options, const Settings& settings, bool portable);
 
 /// The options in a baseline, without files; none if it records none. `path` names the baseline in
 /// errors. Throws WorkError for options that cannot be parsed.

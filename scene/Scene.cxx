@@ -376,7 +376,7 @@ void LayGrid(Scene& scene, const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-void DressScene(Scene& scene, const RenderOptions& options)
+void StyleScene(Scene& scene, const RenderOptions& options)
 {
   SetShading(scene.Renderer, options.ShadingKind);
   // A layer shown as the picture hides the colours of values: the bar is that of the layer.

@@ -49,7 +49,7 @@ struct Scene
 Scene ReadScene(const RenderOptions& options, ReadContext& context);
 
 /// Applies shading, colours, lights and camera to the actors.
-void DressScene(Scene& scene, const RenderOptions& options);
+void StyleScene(Scene& scene, const RenderOptions& options);
 
 /// The options with the scene's own up axis and lights where the options leave these open.
 RenderOptions FollowFile(RenderOptions options, const Scene& scene);

@@ -5,7 +5,6 @@
 #include "Bands.h"
 #include "Baseline.h"
 #include "DataSets.h"
-#include "DressedScene.h"
 #include "Errors.h"
 #include "Flow.h"
 #include "Frame.h"
@@ -21,6 +20,7 @@
 #include "ShadowOptions.h"
 #include "Shadows.h"
 #include "StandardError.h"
+#include "StyledScene.h"
 #include "Transparency.h"
 #include "Values.h"
 #include "VideoFile.h"
@@ -441,13 +441,13 @@ void OnOutputs(const Outputs& outputs, Work work)
 }
 
 //------------------------------------------------------------------------------
-void WriteGltf(vtkRelievoGltfWriter* writer, const DressedScene& dressed,
+void WriteGltf(vtkRelievoGltfWriter* writer, const StyledScene& styled,
   const RenderOptions& options, Outputs& outputs)
 {
-  writer->SetRenderer(dressed.GetRenderer());
+  writer->SetRenderer(styled.GetRenderer());
   writer->SetFileName(outputs.Temporary(options.Gltf));
   writer->SetUpAxis(options.UpAxis);
-  for (const auto& [actor, name] : dressed.GetObjectNames())
+  for (const auto& [actor, name] : styled.GetObjectNames())
   {
     writer->SetObjectName(actor, name);
   }
@@ -460,19 +460,19 @@ void WriteGltf(vtkRelievoGltfWriter* writer, const DressedScene& dressed,
 
 //------------------------------------------------------------------------------
 // Draws the scene and writes the complete outputs. Returns the picture, if one is wanted.
-vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* pass,
+vtkSmartPointer<vtkImageData> DrawFrame(StyledScene& styled, vtkRelievoPass* pass,
   const std::vector<std::string>& layers, const RenderOptions& options, const Settings& settings,
   const Bands& bands, FlowOfFrames& flow, Outputs& outputs, Progress& progress,
   const std::string& what)
 {
-  const Scene& scene = dressed.GetScene();
+  const Scene& scene = styled.GetScene();
   vtkRenderer* renderer = scene.Renderer;
   vtkRenderWindow* window = renderer->GetRenderWindow();
   progress.Begin(what);
   vtkSmartPointer<vtkImageData> baseline;
   if (!options.Baseline.empty()) // first: notes and the report are of the frame after it
   {
-    baseline = MakeBaseline(dressed, options, settings, options.Portable);
+    baseline = MakeBaseline(styled, options, settings, options.Portable);
   }
   if (!options.Report.empty())
   {
@@ -599,7 +599,7 @@ vtkSmartPointer<vtkImageData> DrawFrame(DressedScene& dressed, vtkRelievoPass* p
     if (!options.Gltf.empty()) // last: it draws other frames
     {
       const vtkNew<vtkRelievoGltfWriter> gltf;
-      WriteGltf(gltf, dressed, options, outputs);
+      WriteGltf(gltf, styled, options, outputs);
     }
     for (const std::string& warning : Messages::TakeWarnings())
     {
@@ -642,9 +642,9 @@ vtkSmartPointer<vtkImageData> ReadPicture(const RenderOptions& options)
 class Animation
 {
 public:
-  Animation(const DressedScene& dressed, const RenderOptions& options,
-    const std::vector<std::string>& inputs)
-    : Dressed(dressed)
+  Animation(
+    const StyledScene& styled, const RenderOptions& options, const std::vector<std::string>& inputs)
+    : Styled(styled)
     , Options(options)
     , IsWanted(
         !options.Gltf.empty() && IsSequence(options) && GetFrameName(options.Gltf, 0).empty())
@@ -652,7 +652,7 @@ public:
     if (this->IsWanted)
     {
       this->File.Add("--gltf", options.Gltf, inputs);
-      this->Writer->SetRenderer(dressed.GetRenderer());
+      this->Writer->SetRenderer(styled.GetRenderer());
     }
   }
 
@@ -669,13 +669,13 @@ public:
     if (this->IsWanted)
     {
       OnOutputs(
-        this->File, [this] { WriteGltf(this->Writer, this->Dressed, this->Options, this->File); });
+        this->File, [this] { WriteGltf(this->Writer, this->Styled, this->Options, this->File); });
       this->File.Commit();
     }
   }
 
 private:
-  const DressedScene& Dressed;
+  const StyledScene& Styled;
   const RenderOptions& Options;
   bool IsWanted;
   vtkNew<vtkRelievoGltfWriter> Writer;
@@ -728,16 +728,16 @@ class OutputFrame
 {
 public:
   OutputFrame(
-    DressedScene& dressed, const RenderOptions& options, const std::vector<std::string>& layers)
-    : Renderer(dressed.GetRenderer())
-    , Pass(dressed.GetFrame())
+    StyledScene& styled, const RenderOptions& options, const std::vector<std::string>& layers)
+    : Renderer(styled.GetRenderer())
+    , Pass(styled.GetFrame())
   {
     this->Own =
       !this->Pass && (!layers.empty() || !options.Report.empty() || options.Certify.has_value());
     if (this->Own)
     {
       this->Pass = vtkRelievoPass::Attach(this->Renderer);
-      SetFrame(this->Pass, this->Renderer, options, dressed.GetPoints());
+      SetFrame(this->Pass, this->Renderer, options, styled.GetPoints());
     }
     if (this->Pass)
     {
@@ -823,17 +823,17 @@ std::unique_ptr<Outputs> OpenOutputs(
 }
 
 //------------------------------------------------------------------------------
-std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
+std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
   const Settings& settings, const Bands& bands, const std::vector<std::string>& inputs,
   std::unique_ptr<Outputs> outputs, Progress& progress)
 {
-  vtkRenderer* renderer = dressed.GetRenderer();
-  std::vector<std::string> layers = LayersToCapture(options, dressed.GetScene());
+  vtkRenderer* renderer = styled.GetRenderer();
+  std::vector<std::string> layers = LayersToCapture(options, styled.GetScene());
   FlowOfFrames flow(options, layers);
-  CheckShownLayer(options, dressed.GetScene());
+  CheckShownLayer(options, styled.GetScene());
   const int lights = CountLights(renderer);
   CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
-  const FrameList list(dressed.GetScene(), options);
+  const FrameList list(styled.GetScene(), options);
   const int frames = list.GetCount();
   for (int number = 0; number < std::max(1, frames); ++number)
   {
@@ -845,11 +845,11 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   const std::string size = std::to_string(options.Size[0]) + "x" + std::to_string(options.Size[1]);
   progress.Begin("rendering " + size);
   const OutputFrame frame(
-    dressed, options, options.Lens.empty() ? layers : std::vector<std::string>());
+    styled, options, options.Lens.empty() ? layers : std::vector<std::string>());
   vtkRelievoPass* pass = frame.Get();
   if (frames == 0)
   {
-    DrawFrame(dressed, pass, layers, options, settings, bands, flow, *outputs, progress,
+    DrawFrame(styled, pass, layers, options, settings, bands, flow, *outputs, progress,
       "rendering " + size);
   }
   const std::string certificate = options.Certify ? Certify(pass, *options.Certify) : "";
@@ -858,7 +858,7 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
     outputs->Commit();
   }
   Film film(options, inputs);
-  Animation animation(dressed, options, inputs);
+  Animation animation(styled, options, inputs);
   int kept = 0;
   for (int number = 0; number < frames; ++number)
   {
@@ -875,13 +875,13 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
     }
     if (number > 0 && own.Model.Time)
     {
-      PlayScene(dressed.GetScene(), options, *own.Model.Time, progress);
+      PlayScene(styled.GetScene(), options, *own.Model.Time, progress);
     }
     if (options.Motion.MovesCamera())
     {
-      PlaceCamera(renderer, own.View, options.UpAxis, dressed.GetBounds());
+      PlaceCamera(renderer, own.View, options.UpAxis, styled.GetBounds());
     }
-    film.Add(DrawFrame(dressed, pass, layers, own, settings, bands, flow, *outputs, progress,
+    film.Add(DrawFrame(styled, pass, layers, own, settings, bands, flow, *outputs, progress,
       "rendering " + size + ", frame " + std::to_string(number + 1) + " of " +
         std::to_string(frames)));
     outputs->Commit();

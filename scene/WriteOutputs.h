@@ -21,7 +21,7 @@ class Progress;
 namespace scene
 {
 class Bands;
-class DressedScene;
+class StyledScene;
 class Settings;
 struct RenderOptions;
 
@@ -39,7 +39,7 @@ std::unique_ptr<Outputs> OpenOutputs(
 /// record of a baseline. `bands`: of the renderer's window. `inputs`: all files read; no frame may
 /// replace one. Returns the shadows' certificate as text if it was requested. Throws UsageError for
 /// layers that the scene does not have, and WorkError.
-std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
+std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
   const Settings& settings, const Bands& bands, const std::vector<std::string>& inputs,
   std::unique_ptr<Outputs> outputs, Progress& progress);
 }

@@ -5,7 +5,6 @@
 #include "Bands.h"
 #include "Baseline.h"
 #include "Display.h"
-#include "DressedScene.h"
 #include "Errors.h"
 #include "Lens.h"
 #include "Messages.h"
@@ -13,6 +12,7 @@
 #include "Outcome.h"
 #include "Progress.h"
 #include "ReadContext.h"
+#include "StyledScene.h"
 #include "WriteOutputs.h"
 
 #include "vtkCommand.h"
@@ -70,7 +70,7 @@ struct vtkRelievoScene::Internals : public reading::ProgressListener
   std::string ReadingKey;          // of the files read; empty: none
   bool Played = false;             // a sequence has moved the models from the time of reading
   std::vector<std::string> Opened; // while reading
-  scene::DressedScene Dressed;
+  scene::StyledScene Styled;
   std::string Certificate, Doing;
 };
 
@@ -240,7 +240,7 @@ void vtkRelievoScene::Internals::Read(reading::Progress& progress)
   // A layer of the strongest bones needs its array to be read, too.
   const std::string key =
     scene::GetReadingKey(this->Settings) + (this->Options.Model.FirstBone ? "first_bone" : "");
-  if (key == this->ReadingKey && this->Dressed.GetRenderer())
+  if (key == this->ReadingKey && this->Styled.GetRenderer())
   {
     return;
   }
@@ -260,12 +260,12 @@ void vtkRelievoScene::Internals::Read(reading::Progress& progress)
   const scene::Scene read = OnFiles([&] { return scene::ReadScene(this->Options, context); });
   const scene::FramePoints points =
     OnFiles([&] { return scene::ReadFramePoints(this->Options, context); });
-  if (vtkRenderer* before = this->Dressed.GetRenderer())
+  if (vtkRenderer* before = this->Styled.GetRenderer())
   {
     vtkRelievoPass::Detach(before);
     this->Window->RemoveRenderer(before);
   }
-  this->Dressed = scene::DressedScene(read, points);
+  this->Styled = scene::StyledScene(read, points);
   this->ReadingKey = key;
   this->Played = false;
   this->Opened = context.GetFiles();
@@ -280,11 +280,11 @@ void vtkRelievoScene::Internals::Update(reading::Progress& progress, int bandRow
   }
   this->BandRows = bandRows;
   this->Read(progress);
-  this->Options = scene::FollowFile(this->Options, this->Dressed.GetScene());
+  this->Options = scene::FollowFile(this->Options, this->Styled.GetScene());
   if (this->Played) // unchanged models keep the time of reading
   {
     scene::PlayScene(
-      this->Dressed.GetScene(), this->Options, this->Options.Model.Time.value_or(0.0), progress);
+      this->Styled.GetScene(), this->Options, this->Options.Model.Time.value_or(0.0), progress);
     this->Played = false;
   }
   if (this->NoWindow)
@@ -292,7 +292,7 @@ void vtkRelievoScene::Internals::Update(reading::Progress& progress, int bandRow
     std::rethrow_exception(std::exchange(this->NoWindow, nullptr));
   }
   this->MakeWindow();
-  vtkRenderer* renderer = this->Dressed.GetRenderer();
+  vtkRenderer* renderer = this->Styled.GetRenderer();
   if (!this->Window->HasRenderer(renderer))
   {
     this->Window->AddRenderer(renderer);
@@ -301,10 +301,10 @@ void vtkRelievoScene::Internals::Update(reading::Progress& progress, int bandRow
   {
     this->GetBands().SetTiles(this->Window, renderer);
   }
-  this->Dressed.Update(this->Settings, this->Options, false, progress);
+  this->Styled.Update(this->Settings, this->Options, false, progress);
   if (!this->Options.View.Place && this->Options.Model.Times.size() > 1)
   {
-    scene::FitTimes(this->Dressed.GetScene(), this->Options, progress);
+    scene::FitTimes(this->Styled.GetScene(), this->Options, progress);
   }
 }
 
@@ -313,7 +313,7 @@ void vtkRelievoScene::Internals::Update(reading::Progress& progress, int bandRow
 // its tiles until an Update() of a smaller picture.
 void vtkRelievoScene::Internals::EndBands()
 {
-  vtkRenderer* renderer = this->Dressed.GetRenderer();
+  vtkRenderer* renderer = this->Styled.GetRenderer();
   if (std::exchange(this->BandRows, 0) == 0 || !this->IsOwnWindow || !renderer)
   {
     return;
@@ -365,7 +365,7 @@ bool vtkRelievoScene::Write()
     this->Internal->Played = options.Model.Times.size() > 1;
     const std::vector<std::string>& opened = this->Internal->Opened;
     inputs.insert(inputs.end(), opened.begin(), opened.end());
-    this->Internal->Certificate = scene::WriteOutputs(this->Internal->Dressed, options,
+    this->Internal->Certificate = scene::WriteOutputs(this->Internal->Styled, options,
       this->Internal->Settings, this->Internal->GetBands(), inputs, std::move(outputs), progress);
   });
 }
@@ -385,20 +385,20 @@ bool vtkRelievoScene::CaptureBaseline(vtkImageData* image, bool portable)
     this->Internal->Update(progress);
     progress.Begin("drawing the baseline");
     image->ShallowCopy(scene::MakeBaseline(
-      this->Internal->Dressed, this->Internal->Options, this->Internal->Settings, portable));
+      this->Internal->Styled, this->Internal->Options, this->Internal->Settings, portable));
   });
 }
 
 //------------------------------------------------------------------------------
 vtkRenderer* vtkRelievoScene::GetRenderer()
 {
-  return this->Internal->Dressed.GetRenderer();
+  return this->Internal->Styled.GetRenderer();
 }
 
 //------------------------------------------------------------------------------
 vtkRelievoPass* vtkRelievoScene::GetPass()
 {
-  return this->Internal->Dressed.GetFrame();
+  return this->Internal->Styled.GetFrame();
 }
 
 //------------------------------------------------------------------------------
@@ -411,7 +411,7 @@ int vtkRelievoScene::GetUpAxis()
 std::string vtkRelievoScene::GetFileOf(int actor)
 {
   int end = 0;
-  const std::vector<int>& counts = this->Internal->Dressed.GetScene().Counts;
+  const std::vector<int>& counts = this->Internal->Styled.GetScene().Counts;
   for (std::size_t i = 0; i < counts.size(); ++i)
   {
     end += counts[i];

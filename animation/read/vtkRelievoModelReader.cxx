@@ -683,7 +683,7 @@ double vtkRelievoModelReader::GetAlphaCutoff(int block)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoModelReader::Dress(int block, vtkActor* actor)
+void vtkRelievoModelReader::ApplyMaterial(int block, vtkActor* actor)
 {
   vtkProperty* property = this->GetProperty(block);
   if (!property || !actor)

@@ -50,14 +50,14 @@ void SetColor(vtkActor* actor, vtkDataSet* mesh)
 }
 
 // Whether the file has materials of its own for the block. Notes faulty images.
-bool Dress(vtkRelievoModelReader* reader, int block, vtkActor* actor, const std::string& path,
-  ReadContext& context)
+bool ApplyMaterial(vtkRelievoModelReader* reader, int block, vtkActor* actor,
+  const std::string& path, ReadContext& context)
 {
   if (!reader->GetProperty(block))
   {
     return false;
   }
-  reader->Dress(block, actor);
+  reader->ApplyMaterial(block, actor);
   try
   {
     context.Check(path);
@@ -189,7 +189,7 @@ PosedModel ReadModel(
     {
       const vtkSmartPointer<vtkActor> actor = MakeActor(mesh, smooth, path, context);
       std::optional<double> cutoff;
-      if (Dress(reader, static_cast<int>(i), actor, path, context))
+      if (ApplyMaterial(reader, static_cast<int>(i), actor, path, context))
       {
         cutoff = reader->GetAlphaCutoff(static_cast<int>(i));
       }

@@ -204,7 +204,7 @@ void PutTexture(vtkActor* actor, const MtlMaterial& material, const std::string&
 }
 
 //------------------------------------------------------------------------------
-void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
+void ApplyMaterial(vtkActor* actor, const MtlMaterial& material, const std::string& path,
   const vtkRelievoAllowedFolders& allowed, ReadContext& context)
 {
   vtkProperty* property = actor->GetProperty();
@@ -291,7 +291,7 @@ std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
     const auto known = i > 0 ? materials.find(names[i - 1]) : materials.end();
     if (known != materials.end())
     {
-      Wear(part, known->second, path, allowed, context);
+      ApplyMaterial(part, known->second, path, allowed, context);
       if (known->second.Opacity == 0.0)
       {
         context.Note(path + ": the material '" + names[i - 1] + "' is invisible, by its d 0");

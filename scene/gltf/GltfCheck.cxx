@@ -208,7 +208,7 @@ std::string FindDifference(vtkRenderer* renderer, const std::string& file, const
     mapper->SetInputData(vtkPolyData::SafeDownCast(blocks->GetBlock(i)));
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
-    reader->Dress(static_cast<int>(i), actor);
+    reader->ApplyMaterial(static_cast<int>(i), actor);
     actor->SetUserMatrix(back);
     // glTF has no sizes of points and no widths of lines.
     if (actors.size() == blocks->GetNumberOfBlocks())

@@ -53,7 +53,7 @@ def picture(reader, lights=False, background=(0, 0, 0), half=1.5, light=None):
         mapper.SetInputData(reader.GetOutput().GetBlock(i))
         actor = vtkActor()
         actor.SetMapper(mapper)
-        reader.Dress(i, actor)
+        reader.ApplyMaterial(i, actor)
         renderer.AddActor(actor)
     if lights:
         for i in range(reader.GetNumberOfLights()):

@@ -238,7 +238,7 @@ class Materials(pv.PluginTest):
             self.assertNotRegex(text, pv.NAMES_OF_CODE)
             self.assertIn("same True", text)
 
-    def wear_all(self):
+    def set_all(self):
         """Every property has its other value, in an environment."""
         self.view.RelievoEnvironment = materialScene.write_axes("axes.png")
         self.view.RelievoSkybox = 1
@@ -251,7 +251,7 @@ class Materials(pv.PluginTest):
 
     def test_states(self):
         """The same picture in fresh processes."""
-        self.wear_all()
+        self.set_all()
         picture = pv.picture(self.view)
         self.shown.RelievoMaterial = 0
         self.differ(pv.picture(self.view), picture, "off")
@@ -271,7 +271,7 @@ class Materials(pv.PluginTest):
         item = smtrace._create_trace_item_internal(
             "PropertiesModified", kwargs={"proxy": self.shown}
         )
-        self.wear_all()
+        self.set_all()
         item.finalize()
         del item
         trace = smtrace.stop_trace()

@@ -150,7 +150,7 @@ struct Contents
 std::vector<FileFacts> GetFileFacts(
   const Picture& picture, const std::vector<std::string>& files, bool ranges)
 {
-  const scene::DressedScene& shown = picture.GetScene();
+  const scene::StyledScene& shown = picture.GetScene();
   const scene::Scene& scene = shown.GetScene();
   vtkActorCollection* actors = scene.Renderer->GetActors();
   vtkVolumeCollection* volumes = scene.Renderer->GetVolumes();

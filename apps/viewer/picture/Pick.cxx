@@ -41,7 +41,7 @@ std::array<double, 3> ToWorld(vtkRenderer* renderer, int x, int y, double depth)
 // The intersection of the line through the pixel with the ground, which layers do not show.
 std::optional<std::array<double, 3>> PickGround(const Picture& picture, int x, int y)
 {
-  const scene::DressedScene& scene = picture.GetScene();
+  const scene::StyledScene& scene = picture.GetScene();
   if (!scene.GetScene().Ground)
   {
     return std::nullopt;

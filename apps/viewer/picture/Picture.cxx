@@ -64,7 +64,7 @@ void Picture::CheckShown(const std::string& what) const
 }
 
 //------------------------------------------------------------------------------
-void Picture::Dress(const scene::Settings& settings, bool keepCamera)
+void Picture::ApplyStyle(const scene::Settings& settings, bool keepCamera)
 {
   reading::Progress progress(this->Listener);
   this->Now.Scene.Update(settings, settings.Parse(), keepCamera, progress);
@@ -77,7 +77,7 @@ void Picture::Show(const scene::Scene& scene, const scene::FramePoints& points,
   const Contents before = this->Now;
   vtkRenderer* shown = before.Scene.GetRenderer();
   const bool keep = keepCamera && shown;
-  this->Now = { scene::DressedScene(scene, points), {} };
+  this->Now = { scene::StyledScene(scene, points), {} };
   this->Window->AddRenderer(this->GetRenderer());
   if (keep)
   {
@@ -85,7 +85,7 @@ void Picture::Show(const scene::Scene& scene, const scene::FramePoints& points,
   }
   try
   {
-    this->Dress(settings, keep);
+    this->ApplyStyle(settings, keep);
     this->Now.Shown = settings;
   }
   catch (...)
@@ -105,21 +105,21 @@ void Picture::ShowPoints(const scene::FramePoints& points, const scene::Settings
   this->Now.Scene.SetPoints(points);
   try
   {
-    this->Dress(settings, true);
+    this->ApplyStyle(settings, true);
     this->Now.Shown = settings;
   }
   catch (...)
   {
     this->Now.Scene.SetPoints(before);
-    this->Dress(shown, true);
+    this->ApplyStyle(shown, true);
     throw;
   }
 }
 
 //------------------------------------------------------------------------------
-bool Picture::IsDressedAlike(const scene::Settings& settings) const
+bool Picture::HasSurfaceOf(const scene::Settings& settings) const
 {
-  return this->Now.Scene.IsDressedAlike(settings);
+  return this->Now.Scene.HasSurfaceOf(settings);
 }
 
 //------------------------------------------------------------------------------
@@ -127,14 +127,14 @@ void Picture::Update(const scene::Settings& settings)
 {
   try
   {
-    this->Dress(settings, true);
+    this->ApplyStyle(settings, true);
     this->Now.Shown = settings;
   }
   catch (...)
   {
     try
     {
-      this->Dress(this->Now.Shown, true);
+      this->ApplyStyle(this->Now.Shown, true);
     }
     catch (const std::exception&) // the original error is reported instead
     {
@@ -151,7 +151,7 @@ void Picture::FitClipping()
   {
     return;
   }
-  scene::DressedScene& scene = this->Now.Scene;
+  scene::StyledScene& scene = this->Now.Scene;
   const look::CameraChoice& choice = this->Other ? *this->Other : scene.GetOptions().View;
   if (choice.Clip)
   {

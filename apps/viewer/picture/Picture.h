@@ -8,7 +8,7 @@
 #define Picture_h
 
 #include "CameraOptions.h"
-#include "DressedScene.h"
+#include "StyledScene.h"
 
 #include "vtkCamera.h"
 #include "vtkNew.h"
@@ -61,7 +61,7 @@ public:
   void Update(const scene::Settings& settings);
 
   /// Whether an update to these settings would read no file.
-  bool IsDressedAlike(const scene::Settings& settings) const;
+  bool HasSurfaceOf(const scene::Settings& settings) const;
 
   /// Fits the camera to the scene.
   void ResetCamera();
@@ -104,16 +104,16 @@ public:
 
   vtkRenderer* GetRenderer() const { return this->Now.Scene.GetRenderer(); }
   vtkRelievoPass* GetFrame() const { return this->Now.Scene.GetFrame(); }
-  const scene::DressedScene& GetScene() const { return this->Now.Scene; }
+  const scene::StyledScene& GetScene() const { return this->Now.Scene; }
 
 private:
   void FitClipping();
-  void Dress(const scene::Settings& settings, bool keepCamera);
+  void ApplyStyle(const scene::Settings& settings, bool keepCamera);
 
   // State of one scene.
   struct Contents
   {
-    scene::DressedScene Scene;
+    scene::StyledScene Scene;
     scene::Settings Shown;
   };
   void Remove(const Contents& contents);

@@ -139,7 +139,7 @@ Picture::OtherCamera::OtherCamera(Picture* picture, const look::CameraChoice& ch
   this->Before->DeepCopy(this->Camera);
   picture->FitClipping(); // a scalar bar that is fitted later would reset the view angle
   this->Camera->SetViewAngle(look::StandardViewAngle);
-  const scene::DressedScene& scene = picture->GetScene();
+  const scene::StyledScene& scene = picture->GetScene();
   look::PlaceCamera(picture->GetRenderer(), choice, scene.GetOptions().UpAxis, scene.GetBounds());
   picture->Other = choice;
 }

@@ -97,7 +97,7 @@ bool NeedsPrefix(const std::string& name, const Arrays& arrays)
 //------------------------------------------------------------------------------
 Facts GetFacts(const Picture& picture)
 {
-  const scene::DressedScene& shown = picture.GetScene();
+  const scene::StyledScene& shown = picture.GetScene();
   const scene::Scene& scene = shown.GetScene();
   Arrays arrays;
   bool ownValues = false;

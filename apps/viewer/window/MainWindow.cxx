@@ -723,7 +723,7 @@ void MainWindow::ChangeShown(const scene::Settings& settings)
   this->SetMeanwhile = true;
   try
   {
-    if (picture.IsDressedAlike(changed)) // messages about files belong to the reader now
+    if (picture.HasSurfaceOf(changed)) // messages about files belong to the reader now
     {
       picture.Update(changed);
       this->Good = changed;

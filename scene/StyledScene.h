@@ -4,8 +4,8 @@
  * A scene that is updated from changed options: only the differences are set, and the picture
  * equals that of a scene built anew.
  */
-#ifndef DressedScene_h
-#define DressedScene_h
+#ifndef StyledScene_h
+#define StyledScene_h
 
 #include "Frame.h"
 #include "Options.h"
@@ -41,12 +41,12 @@ std::string GetReadingKey(const Settings& settings);
 std::string GetSceneKey(const Settings& settings);
 ///@}
 
-class DressedScene
+class StyledScene
 {
 public:
-  DressedScene() = default;
+  StyledScene() = default;
 
-  DressedScene(const Scene& scene, const FramePoints& points);
+  StyledScene(const Scene& scene, const FramePoints& points);
 
   /// Updates the scene to these options, parsed from the settings; with `keepCamera` the renderer's
   /// camera stays. The renderer must be in a window. Throws UsageError or WorkError; the scene is
@@ -58,7 +58,7 @@ public:
   void SetPoints(const FramePoints& points);
 
   /// Whether an update would read no file.
-  bool IsDressedAlike(const Settings& settings) const;
+  bool HasSurfaceOf(const Settings& settings) const;
 
   /// Whether the actor was read from a file, unlike a skeleton, the ground or lines.
   bool IsOfFiles(vtkActor* actor) const;
@@ -77,8 +77,8 @@ public:
   const double* GetBounds() const { return this->Read.Bounds; }
 
 private:
-  /// `isDressed`: the scene's lights have not been replaced.
-  void SetFrame(const RenderOptions& options, bool isDressed);
+  /// `isStyled`: the scene's lights have not been replaced.
+  void SetFrame(const RenderOptions& options, bool isStyled);
 
   /// An actor's state before options were applied.
   struct Part
@@ -96,13 +96,13 @@ private:
   };
 
   /// Restores the scene as read from its files; surface maps and the skybox stay.
-  void Undress();
+  void RemoveStyle();
   void Restore(const Part& part);
 
   /// Replaces surface maps and the skybox. If this throws, the old ones stay, and their files are
   /// not read again.
-  void Wear(const RenderOptions& options, Progress& progress);
-  void TakeOff();
+  void ReplaceSurface(const RenderOptions& options, Progress& progress);
+  void RemoveSurface();
 
   Scene Read;
   std::vector<Part> Parts;
@@ -110,7 +110,7 @@ private:
   std::vector<vtkSmartPointer<vtkLight>> Lights; // of the files
   FramePoints Points;
   RenderOptions Options;
-  std::string Dress = "\n", Surface = "\n"; // keys of the last update; at first unlike any key
+  std::string Style = "\n", Surface = "\n"; // keys of the last update; at first unlike any key
 };
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DressedScene.h"
+#include "StyledScene.h"
 
 #include "ReadContext.h"
 #include "ShadowOptions.h"
@@ -62,10 +62,10 @@ std::vector<vtkSmartPointer<vtkProp>> GetProps(vtkRenderer* renderer)
 constexpr const char* Reading[] = { "--allow-folder", "--time", "--times", "--animation", "--blend",
   "--loop", "--image", "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map",
   "--texture-coordinates", "--up" };
-constexpr const char* Wearing[] = { "--normal-map", "--height-map", "--relief", "--material",
+constexpr const char* SurfaceMaps[] = { "--normal-map", "--height-map", "--relief", "--material",
   "--texture-coordinates", "--opacity", "--opacity-curve", "--volume-step", "--environment",
   "--reflectivity", "--skybox", "--up" };
-constexpr const char* NoDress[] = { "--camera", "--clip", "--size", "--shadows" };
+constexpr const char* NotStyle[] = { "--camera", "--clip", "--size", "--shadows" };
 
 template <typename Names>
 std::string MakeKey(const Settings& settings, const Names& names)
@@ -84,18 +84,18 @@ std::string MakeKey(const Settings& settings, const Names& names)
 std::string MakeSurfaceKey(const Settings& settings, const RenderOptions& options)
 {
   const bool shadowed = !options.Surface.HeightMap.empty() && ShowsShadows(options);
-  return MakeKey(settings, Wearing) + (shadowed ? "in its own shadow" : "") +
+  return MakeKey(settings, SurfaceMaps) + (shadowed ? "in its own shadow" : "") +
     (options.Surface.FindsIntensity ? "of its own intensity" : "");
 }
 
 // The key of all options except those of the camera and of the shadow method.
-std::string MakeDressKey(const Settings& settings)
+std::string MakeStyleKey(const Settings& settings)
 {
   std::vector<const char*> names;
   for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
     const auto is = [&option](const char* name) { return option.Name == name; };
-    if (std::none_of(std::begin(NoDress), std::end(NoDress), is))
+    if (std::none_of(std::begin(NotStyle), std::end(NotStyle), is))
     {
       names.push_back(option.Name.c_str());
     }
@@ -141,7 +141,7 @@ std::string GetReadingKey(const Settings& settings)
 }
 
 //------------------------------------------------------------------------------
-DressedScene::DressedScene(const Scene& scene, const FramePoints& points)
+StyledScene::StyledScene(const Scene& scene, const FramePoints& points)
   : Read(scene)
   , Points(points)
 {
@@ -172,14 +172,14 @@ DressedScene::DressedScene(const Scene& scene, const FramePoints& points)
 }
 
 //------------------------------------------------------------------------------
-bool DressedScene::IsOfFiles(vtkActor* actor) const
+bool StyledScene::IsOfFiles(vtkActor* actor) const
 {
   return std::any_of(this->Parts.begin(), this->Parts.end(),
     [actor](const Part& part) { return part.Actor == actor; });
 }
 
 //------------------------------------------------------------------------------
-std::map<int, std::string> DressedScene::GetObjectNames() const
+std::map<int, std::string> StyledScene::GetObjectNames() const
 {
   std::map<int, std::string> names;
   int actor = 0;
@@ -199,73 +199,73 @@ std::map<int, std::string> DressedScene::GetObjectNames() const
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoPass* DressedScene::GetFrame() const
+vtkRelievoPass* StyledScene::GetFrame() const
 {
   vtkRenderer* renderer = this->GetRenderer();
   return renderer ? vtkRelievoPass::SafeDownCast(renderer->GetPass()) : nullptr;
 }
 
 //------------------------------------------------------------------------------
-void DressedScene::SetPoints(const FramePoints& points)
+void StyledScene::SetPoints(const FramePoints& points)
 {
   this->Points = points;
   vtkRelievoPass::Detach(this->GetRenderer()); // a new frame takes the points
 }
 
 //------------------------------------------------------------------------------
-bool DressedScene::IsDressedAlike(const Settings& settings) const
+bool StyledScene::HasSurfaceOf(const Settings& settings) const
 {
   return MakeSurfaceKey(settings, settings.Parse()) == this->Surface;
 }
 
 //------------------------------------------------------------------------------
-void DressedScene::Update(
+void StyledScene::Update(
   const Settings& settings, const RenderOptions& asked, bool keepCamera, Progress& progress)
 {
   vtkRenderer* renderer = this->GetRenderer();
   const RenderOptions known = FollowFile(asked, this->Read);
   const RenderOptions options = keepCamera ? WithCamera(known, renderer->GetActiveCamera()) : known;
   const std::string surface = MakeSurfaceKey(settings, options);
-  const std::string dress = MakeDressKey(settings);
-  const bool wears = surface != this->Surface;
-  const bool isDressed = !wears && dress == this->Dress;
+  const std::string style = MakeStyleKey(settings);
+  const bool isNewSurface = surface != this->Surface;
+  const bool isStyled = !isNewSurface && style == this->Style;
   try
   {
-    if (!isDressed)
+    if (!isStyled)
     {
       renderer->GetActiveCamera()->SetViewAngle(StandardViewAngle);
-      this->Undress();
-      DressScene(this->Read, options);
+      this->RemoveStyle();
+      StyleScene(this->Read, options);
     }
     else if (!keepCamera)
     {
       renderer->GetActiveCamera()->SetViewAngle(StandardViewAngle);
       PlaceCamera(renderer, options.View, options.UpAxis, this->GetBounds());
     }
-    if (wears)
+    if (isNewSurface)
     {
-      this->Wear(options, progress);
+      this->ReplaceSurface(options, progress);
     }
-    if (!isDressed)
+    if (!isStyled)
     {
       // Materials and the look decide together what is translucent.
       renderer->SetUseDepthPeeling(std::any_of(this->Parts.begin(), this->Parts.end(),
         [](const Part& part) { return part.Actor->HasTranslucentPolygonalGeometry() != 0; }));
     }
     this->Surface = surface;
-    this->Dress = dress;
-    this->SetFrame(options, isDressed);
+    this->Style = style;
+    this->SetFrame(options, isStyled);
   }
   catch (...)
   {
-    this->Dress = "\n";
+    this->Style = "\n";
     throw;
   }
   this->Options = options;
 }
 
 //------------------------------------------------------------------------------
-void DressedScene::Restore(const Part& part)
+void StyledScene::Restore(const Part& part)
 {
   part.Actor->SetProperty(Copy(part.Property));
   part.Actor->SetTexture(part.Texture);
@@ -286,7 +286,7 @@ void DressedScene::Restore(const Part& part)
 }
 
 //------------------------------------------------------------------------------
-void DressedScene::Undress()
+void StyledScene::RemoveStyle()
 {
   vtkRenderer* renderer = this->Read.Renderer;
   for (const vtkSmartPointer<vtkProp>& prop : GetProps(renderer))
@@ -311,7 +311,7 @@ void DressedScene::Undress()
 }
 
 //------------------------------------------------------------------------------
-void DressedScene::TakeOff()
+void StyledScene::RemoveSurface()
 {
   for (const Part& part : this->Parts)
   {
@@ -335,15 +335,15 @@ void DressedScene::TakeOff()
 }
 
 //------------------------------------------------------------------------------
-void DressedScene::Wear(const RenderOptions& options, Progress& progress)
+void StyledScene::ReplaceSurface(const RenderOptions& options, Progress& progress)
 {
-  std::vector<vtkSmartPointer<vtkRelievoMaterial>> worn;
+  std::vector<vtkSmartPointer<vtkRelievoMaterial>> materials;
   for (const Part& part : this->Parts)
   {
-    worn.emplace_back(vtkRelievoMaterial::Get(part.Actor));
+    materials.emplace_back(vtkRelievoMaterial::Get(part.Actor));
   }
   const std::vector<vtkSmartPointer<vtkProp>> kept = this->Kept;
-  this->TakeOff();
+  this->RemoveSurface();
   const std::vector<vtkSmartPointer<vtkProp>> before = GetProps(this->Read.Renderer);
   const auto keepNew = [this, &before] {
     for (const vtkSmartPointer<vtkProp>& prop : GetProps(this->Read.Renderer))
@@ -365,12 +365,12 @@ void DressedScene::Wear(const RenderOptions& options, Progress& progress)
   catch (...)
   {
     keepNew();
-    this->TakeOff();
-    for (std::size_t i = 0; i < worn.size(); ++i)
+    this->RemoveSurface();
+    for (std::size_t i = 0; i < materials.size(); ++i)
     {
-      if (worn[i])
+      if (materials[i])
       {
-        worn[i]->Attach(this->Parts[i].Actor);
+        materials[i]->Attach(this->Parts[i].Actor);
       }
     }
     for (const vtkSmartPointer<vtkProp>& prop : kept)
@@ -388,7 +388,7 @@ void DressedScene::Wear(const RenderOptions& options, Progress& progress)
 //------------------------------------------------------------------------------
 // Unchanged stages keep their resources; choices of lights and volumes, made since the last update
 // on the stage itself, stay as long as the options about them are the same.
-void DressedScene::SetFrame(const RenderOptions& options, bool isDressed)
+void StyledScene::SetFrame(const RenderOptions& options, bool isStyled)
 {
   vtkRenderer* renderer = this->GetRenderer();
   if (!NeedsFrame(options))
@@ -423,7 +423,7 @@ void DressedScene::SetFrame(const RenderOptions& options, bool isDressed)
       }
     }
   }
-  if (isNew || !isDressed)
+  if (isNew || !isStyled)
   {
     SetCastingLights(frame, renderer, options);
   }
