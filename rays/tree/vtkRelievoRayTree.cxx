@@ -20,7 +20,7 @@ vtkRelievoPolygonCut::Rule GetRule(bool byOutline)
   return byOutline ? vtkRelievoPolygonCut::Rule::ByOutline : vtkRelievoPolygonCut::Rule::AsDrawn;
 }
 
-bool IsFinite(const glm::dvec3& p)
+bool IsFiniteCorner(const glm::dvec3& p)
 {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
@@ -128,7 +128,7 @@ void vtkRelievoRayTree::Place()
         boxes[boxes.size() - 2] = glm::min(boxes[boxes.size() - 2], world);
         boxes.back() = glm::max(boxes.back(), world);
       }
-      if (!IsFinite(boxes[boxes.size() - 2]) || !IsFinite(boxes.back()))
+      if (!IsFiniteCorner(boxes[boxes.size() - 2]) || !IsFiniteCorner(boxes.back()))
       {
         boxes.resize(boxes.size() - 2);
         continue; // by the matrix: nothing to hit

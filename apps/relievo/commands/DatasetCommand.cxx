@@ -27,14 +27,18 @@ namespace cli
 {
 namespace
 {
-// Options of render that poses or the data set's own files replace.
-constexpr const char* OfRender[] = { "--camera", "--parallel-scale", "--clip", "--times", "--png",
-  "--exr", "--baseline", "--gltf", "--portable", "--report", "--hdr", "--transparent", "--certify",
-  "--figure", "--turntable", "--camera-path", "--video", "--fps", "--resume" };
+// Options of render that a data set replaces; its outputs are replaced too, except for `Shared`.
+constexpr const char* Replaced[] = { "--camera", "--parallel-scale", "--clip", "--times",
+  "--figure" };
+constexpr const char* Shared[] = { "--layers", "--lens" };
 
 bool IsOfRender(const std::string& name)
 {
-  return std::find(std::begin(OfRender), std::end(OfRender), name) != std::end(OfRender);
+  const auto isIn = [&name](const auto& list) {
+    return std::find(std::begin(list), std::end(list), name) != std::end(list);
+  };
+  const vtkRelievoOption* option = scene::GetRenderCommand().Find(name);
+  return option && (option->OfOutputs ? !isIn(Shared) : isIn(Replaced));
 }
 
 // Kinds of objects.
