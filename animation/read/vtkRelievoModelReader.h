@@ -20,8 +20,8 @@
  * lie on, with their transform, v upwards. Faces are turned where a node mirrors them, so that the
  * outside stays outside.
  *
- * For glTF, GetProperty(), GetTexture() and ApplyMaterial() give a block's material as VTK draws it,
- * and GetLight() and GetCamera() the lights and cameras of the scene.
+ * For glTF, GetProperty(), GetTexture() and ApplyMaterial() give a block's material as VTK draws
+ * it, and GetLight() and GetCamera() the lights and cameras of the scene.
  *
  * Port 1 is the skeleton: a point for each node of the file's tree, with the point arrays `pose`,
  * `pose_before`, `pose_after` (16 components, by rows: node to world), `parent`, `is_bone`, `name`,
