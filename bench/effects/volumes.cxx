@@ -232,68 +232,6 @@ void AddRow(Table& table, const Scene& scene, int size, const std::string& metho
             << Number(cost, 3) << " ms, " << Number(bytes / 1048576.0, 3) << " MiB" << std::endl;
 }
 
-// The depth of a ray up to a share of its length, by terms of a Fourier series of its extinction.
-double GetFourierDepth(const float* terms, int count, double share)
-{
-  double depth = terms[0] * share;
-  for (int m = 1; 2 * m < count; ++m)
-  {
-    const double turn = 2.0 * Pi * m;
-    depth += terms[2 * m - 1] * std::sin(turn * share) / turn +
-      terms[2 * m] * (1.0 - std::cos(turn * share)) / turn;
-  }
-  return depth;
-}
-
-void MeasureFourier(Table& table, const Scene& scene, int size, const Places& places,
-  const vtkRelievoOpticalDepths& grid, double making, int count)
-{
-  const glm::ivec3 nodes = grid.GetSize();
-  const double before = GetProcessorMilliseconds();
-  const std::size_t slice = static_cast<std::size_t>(nodes.x) * nodes.y;
-  std::vector<float> terms(slice * count, 0.f);
-  for (std::size_t ray = 0; ray < slice; ++ray)
-  {
-    float* to = &terms[ray * count];
-    for (int k = 1; k < nodes.z; ++k)
-    {
-      const float part =
-        grid.GetDepths()[k * slice + ray] - grid.GetDepths()[(k - 1) * slice + ray];
-      if (part > 0.f)
-      {
-        const double share = (k - 0.5) / (nodes.z - 1);
-        to[0] += part;
-        for (int m = 1; 2 * m < count; ++m)
-        {
-          to[2 * m - 1] += 2.f * part * static_cast<float>(std::cos(2.0 * Pi * m * share));
-          to[2 * m] += 2.f * part * static_cast<float>(std::sin(2.0 * Pi * m * share));
-        }
-      }
-    }
-  }
-  const double cost = making + GetProcessorMilliseconds() - before;
-  const auto getDepth = [&](const glm::dvec3& place) {
-    const glm::dvec4 map = grid.GetWorldToMap() * glm::dvec4(place, 1.0);
-    const glm::dvec2 texel =
-      glm::clamp(glm::dvec2(map), glm::dvec2(0.0), glm::dvec2(nodes) - glm::dvec2(1.001));
-    const glm::ivec2 low(texel);
-    const double share = glm::clamp(map.z / (nodes.z - 1), 0.0, 1.0);
-    double depth = 0.0;
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      const glm::dvec2 part = texel - glm::dvec2(low);
-      const double weight =
-        (corner & 1 ? part.x : 1.0 - part.x) * (corner >> 1 ? part.y : 1.0 - part.y);
-      const std::size_t ray =
-        (low.x + (corner & 1)) + static_cast<std::size_t>(nodes.x) * (low.y + (corner >> 1));
-      depth += weight * GetFourierDepth(&terms[ray * count], count, share);
-    }
-    return std::max(depth, 0.0);
-  };
-  AddRow(table, scene, size, "Fourier terms", std::to_string(count), places, getDepth, cost,
-    2.0 * static_cast<double>(terms.size()));
-}
-
 void MeasureTransmittance(const Scene& scene, int size, const VolumeSizes& sizes, Table& table)
 {
   const Volume volume(scene, size);
@@ -309,20 +247,19 @@ void MeasureTransmittance(const Scene& scene, int size, const VolumeSizes& sizes
     {
       continue;
     }
-    vtkRelievoOpticalDepths grid;
-    const double before = GetProcessorMilliseconds();
-    grid.Make(fields, source, nodes);
-    const double making = GetProcessorMilliseconds() - before;
-    AddRow(
-      table, scene, size, "grid", std::to_string(nodes), places,
-      [&](const glm::dvec3& place) { return grid.GetDepth(place); }, making,
-      2.0 * static_cast<double>(grid.GetDepths().size()));
-    if (nodes == 256)
+    // By nodes along rays, and for the default by 7 to 31 terms of each ray.
+    for (const int harmonics :
+      nodes == 256 ? std::vector<int>{ 0, 3, 7, 15 } : std::vector<int>{ 0 })
     {
-      for (const int count : { 7, 15, 31 })
-      {
-        MeasureFourier(table, scene, size, places, grid, making, count);
-      }
+      vtkRelievoOpticalDepths grid;
+      const double before = GetProcessorMilliseconds();
+      grid.Make(fields, source, nodes, harmonics);
+      const double making = GetProcessorMilliseconds() - before;
+      AddRow(
+        table, scene, size, harmonics > 0 ? "Fourier terms" : "grid",
+        std::to_string(harmonics > 0 ? grid.GetStored().z : nodes), places,
+        [&](const glm::dvec3& place) { return grid.GetDepth(place); }, making,
+        2.0 * static_cast<double>(grid.GetDepths().size()));
     }
   }
   if (large)
@@ -453,12 +390,16 @@ void MeasureFrames(int size, int rounds, Table& table)
     bool Shadows;
     bool Moves;
     bool Scatters;
+    int Harmonics;
   };
-  std::vector<Way> ways = { { "plain", false, false, false },
-    { "shadows, still", true, false, false }, { "shadows, the light moves", true, true, false } };
+  std::vector<Way> ways = { { "plain", false, false, false, 0 },
+    { "shadows, still", true, false, false, 0 },
+    { "shadows, the light moves", true, true, false, 0 },
+    { "15 Fourier terms, still", true, false, false, 7 },
+    { "15 Fourier terms, the light moves", true, true, false, 7 } };
   if (size <= 128 && Scatter(vtkNew<vtkGPUVolumeRayCastMapper>().Get(), 0))
   {
-    ways.push_back({ "VTK's volumetric scattering", false, false, true });
+    ways.push_back({ "VTK's volumetric scattering", false, false, true, 0 });
   }
   std::vector<std::unique_ptr<Window>> windows;
   std::vector<relievoTest::Timed> frames;
@@ -469,6 +410,7 @@ void MeasureFrames(int size, int rounds, Table& table)
     if (way.Shadows)
     {
       window->GetShadows()->EnabledOn();
+      window->GetShadows()->SetVolumeHarmonics(way.Harmonics);
     }
     if (way.Scatters)
     {

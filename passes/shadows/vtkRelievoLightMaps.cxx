@@ -199,8 +199,8 @@ std::string vtkRelievoLightMaps::MakeShade(vtkOpenGLRenderWindow* window, const 
   this->Work.Shade.SetCasters(
     seen ? this->Work.Props.GetVolumeCasters() : std::vector<vtkRelievoPlacedVolume>(),
     settings.ColoredShadows);
-  this->Work.Shade.SetNodes(
-    settings.VolumeNodes, { settings.Tolerance, VolumesShare * settings.TimeBudget }, samples > 1);
+  this->Work.Shade.SetNodes(settings.VolumeNodes, settings.VolumeHarmonics,
+    { settings.Tolerance, VolumesShare * settings.TimeBudget }, samples > 1);
   const std::string fault = this->Work.Shade.Update(window, sources);
   if (!this->Work.Shade.Bind())
   {
@@ -220,6 +220,7 @@ bool vtkRelievoLightMaps::UpdateStructure(const vtkRelievoShadowLights& lights, 
   structure.Volumes = this->Work.Shade.IsMade();
   structure.Spread = structure.Volumes && this->Work.Shade.IsSpread();
   structure.Around = this->Work.Shade.IsAround();
+  structure.Harmonics = structure.Volumes ? this->Work.Shade.GetHarmonics() : 0;
   structure.Tinted = structure.Volumes && this->Work.Shade.IsTinted();
   structure.Maps = !structure.Traced || this->Work.Cache.GetNumberOfMaps() > 0;
   structure.Numbers = static_cast<int>(lights.GetAll().size());

@@ -71,7 +71,7 @@ public:
   static vtkRelievoLightMaps::Settings GetSettings(const vtkRelievoShadowStage& self)
   {
     return { self.Method, self.MapSize, self.Tolerance, self.TimeBudget, self.Bias,
-      self.FilterRadius, self.ColoredShadows, self.VolumeNodes };
+      self.FilterRadius, self.ColoredShadows, self.VolumeNodes, self.VolumeHarmonics };
   }
 
   // While a map is being drawn: records the program that draws into it.
@@ -506,6 +506,13 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
       1024, "nodes",
       "Largest number of nodes along an axis of the grids of light through volumes, which have "
       "one for each voxel.")
+    .Advanced = true;
+  description
+    .AddWhole(
+      "volume_harmonics", this->VolumeHarmonics,
+      [this](int harmonics) { this->SetVolumeHarmonics(harmonics); }, 0, 31, "",
+      "Harmonics of a Fourier series along each ray of light through volumes, instead of nodes: "
+      "less memory, more error. 0: nodes.")
     .Advanced = true;
   this->DescribeSoft(description);
 }

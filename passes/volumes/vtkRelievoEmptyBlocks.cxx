@@ -11,7 +11,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkRelievoThreads.h"
-#include "vtkRelievoVolumeMarch.h"
+#include "vtkRelievoVolumeImages.h"
 #include "vtkRelievoVolumeSplice.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
@@ -223,7 +223,7 @@ void vtkRelievoEmptyBlocks::FindEmpty()
   }
   // Texels of the table between which a value lies, without an offset of half a texel; the shader's
   // floats round.
-  const double stretch = vtkRelievoVolumeMarch::GetStretch(this->Values->GetDataType());
+  const double stretch = vtkRelievoVolumeImages::GetStretch(this->Values);
   const double across = this->Range[1] - this->Range[0];
   const double slack = 0.05 + width * 4e-7 * GetLargest(this->Values, this->Range) / across;
   const auto texel = [&](double value, double off) {

@@ -8,6 +8,7 @@
 #include "vtkMath.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlaneCollection.h"
+#include "vtkRelievoVolumeImages.h"
 #include "vtkRelievoVolumesStage.h"
 #include "vtkShaderProperty.h"
 #include "vtkVolume.h"
@@ -33,25 +34,6 @@ bool IsUsual(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, vtkImageData*
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoVolumeMarch::GetStretch(int dataType)
-{
-  switch (dataType)
-  {
-    case VTK_UNSIGNED_CHAR:
-      return 256.0 / 255.0;
-    case VTK_CHAR:
-    case VTK_SIGNED_CHAR:
-      return 128.0 / 127.0;
-    case VTK_UNSIGNED_SHORT:
-      return 65536.0 / 65535.0;
-    case VTK_SHORT:
-      return 32768.0 / 32767.0;
-    default:
-      return 1.0;
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkRelievoVolumeMarch::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest)
 {
   auto* image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
@@ -70,7 +52,8 @@ bool vtkRelievoVolumeMarch::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* v
   image->GetDimensions(points);
   this->Size = glm::ivec3(points[0], points[1], points[2]) - (cells ? 1 : 0);
   this->Shift = cells ? 0.5 : 0.0;
-  this->Time = this->Values->GetMTime();
+  this->Image = image;
+  this->Time = std::max(this->Values->GetMTime(), image->GetMTime());
   this->Values->GetFiniteRange(this->Range);
   this->Memory = this->Values->GetVoidPointer(0);
   vtkVolumeProperty* property = volume->GetProperty();
@@ -87,7 +70,12 @@ bool vtkRelievoVolumeMarch::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* v
 //------------------------------------------------------------------------------
 bool vtkRelievoVolumeMarch::IsUnchanged() const
 {
-  return this->Values->GetMTime() == this->Time;
+  // An image whose values were changed in place is modified, its array perhaps not; an array that
+  // has grown has other memory.
+  return std::max(this->Values->GetMTime(), this->Image->GetMTime()) == this->Time &&
+    this->Values->GetVoidPointer(0) == this->Memory &&
+    this->Values->GetNumberOfTuples() ==
+    static_cast<vtkIdType>(this->Size.x) * this->Size.y * this->Size.z;
 }
 
 //------------------------------------------------------------------------------
@@ -112,7 +100,7 @@ void vtkRelievoVolumeMarch::SetStep(double length)
 // By OpenGL's filter, without the offset of half a texel at the table's ends.
 double vtkRelievoVolumeMarch::GetOpacity(double value) const
 {
-  const double read = value * GetStretch(this->Values->GetDataType());
+  const double read = value * vtkRelievoVolumeImages::GetStretch(this->Values);
   const double share = (read - this->Range[0]) / (this->Range[1] - this->Range[0]);
   if (std::isnan(share))
   {

@@ -14,6 +14,7 @@
 
 class vtkDataArray;
 class vtkGPUVolumeRayCastMapper;
+class vtkImageData;
 class vtkPiecewiseFunction;
 class vtkVolume;
 
@@ -25,11 +26,7 @@ public:
   // limits VTK's tables.
   bool Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest);
 
-  // VTK's shader reads values of this type larger by this factor: it divides 8 and 16 bits by their
-  // number of values (vtkVolumeTexture::GetScaleAndBias), OpenGL by the greatest value.
-  static double GetStretch(int dataType);
-
-  // Whether the data is as it was taken.
+  // Whether the values are those that were taken, as far as their array and image tell.
   bool IsUnchanged() const;
 
   // Makes the opacities of a step of this length in data units, for FindStep.
@@ -55,8 +52,9 @@ private:
   double March(const Value* values, const glm::dvec3& entry, const glm::dvec3& step, int rule,
     double threshold, int first, int last) const;
 
+  vtkSmartPointer<vtkImageData> Image;
   vtkSmartPointer<vtkDataArray> Values;
-  vtkMTimeType Time = 0;
+  vtkMTimeType Time = 0;        // the later one of both
   const void* Memory = nullptr; // of the values
   glm::ivec3 Size;              // values along each axis
   double Shift = 0.0;           // of the values of cells

@@ -27,8 +27,8 @@ namespace
 // Textures grow in these steps, so that a moving light seldom needs another one.
 constexpr int Step = 32;
 
-// exp(-64) is darkness. Half floats end at 65504, and filters make NaN of infinite texels.
-constexpr float Deepest = 64.f;
+// Half floats end at 65504, and filters make NaN of infinite texels.
+constexpr float Deepest = vtkRelievoOpticalDepths::Deepest;
 
 // Numbers of nodes that are chosen for goals.
 const int NodeCounts[] = { 32, 64, 128, 256, 512, 1024 };
@@ -93,7 +93,8 @@ std::string vtkRelievoVolumeShade::Update(
   }
   // Goals in a millionth and in microseconds.
   for (const double setting : { static_cast<double>(room), static_cast<double>(this->Nodes),
-         1e6 * this->Goals.Tolerance, 1e3 * this->Goals.Milliseconds, this->Colored ? 1.0 : 0.0 })
+         1e6 * this->Goals.Tolerance, 1e3 * this->Goals.Milliseconds, this->Colored ? 1.0 : 0.0,
+         static_cast<double>(this->Harmonics) })
   {
     state.push_back(static_cast<std::uint64_t>(setting));
   }
@@ -161,7 +162,7 @@ std::string vtkRelievoVolumeShade::Update(
   {
     if (all || resized || i >= this->Sources.size() || !(this->Sources[i] == sources[i]))
     {
-      this->Depths[i].Make(this->Fields, sources[i], most);
+      this->Depths[i].Make(this->Fields, sources[i], most, this->Harmonics);
       made.push_back(i);
     }
   }
@@ -173,7 +174,7 @@ std::string vtkRelievoVolumeShade::Update(
     {
       if (std::find(made.begin(), made.end(), i) == made.end())
       {
-        this->Depths[i].Make(this->Fields, sources[i], most);
+        this->Depths[i].Make(this->Fields, sources[i], most, this->Harmonics);
         made.push_back(i);
       }
     }
@@ -263,10 +264,10 @@ double vtkRelievoVolumeShade::CountBytes(
   for (const vtkRelievoOpticalDepths::Source& source : sources)
   {
     vtkRelievoOpticalDepths depths;
-    depths.Lay(this->Fields, source, most);
+    depths.Lay(this->Fields, source, most, this->Harmonics);
     for (int i = 0; i < 3; ++i)
     {
-      size[i] = std::max<double>(size[i], RoundUp(depths.GetSize()[i]));
+      size[i] = std::max<double>(size[i], RoundUp(depths.GetStored()[i]));
     }
   }
   return 2.0 * this->GetChannels() * size.x * size.y * size.z * static_cast<double>(sources.size());
@@ -324,7 +325,7 @@ bool vtkRelievoVolumeShade::Allocate(int lights)
   {
     for (int i = 0; i < 3; ++i)
     {
-      size[i] = std::max(size[i], RoundUp(depths.GetSize()[i]));
+      size[i] = std::max(size[i], RoundUp(depths.GetStored()[i]));
     }
   }
   // A size that would do keeps: maps of a light that turns need more and less.
@@ -373,7 +374,7 @@ bool vtkRelievoVolumeShade::Allocate(int lights)
 bool vtkRelievoVolumeShade::Upload(std::size_t light)
 {
   vtkRelievoOpticalDepths& depths = this->Depths[light];
-  const glm::ivec3& size = depths.GetSize();
+  const glm::ivec3 size = depths.GetStored();
   const glm::ivec3 padded =
     glm::min(size + 1, glm::ivec3(this->Size[0], this->Size[1], this->Slices));
   const int channels = this->GetChannels();
@@ -499,8 +500,16 @@ std::string vtkRelievoVolumeShade::GetReport() const
   if (this->Texture)
   {
     const glm::ivec3& size = this->Depths[0].GetSize();
-    out << ", depths of volumes in " << size.x << " x " << size.y << " x " << size.z
-        << " nodes for each light, " << this->Made << " made anew";
+    out << ", depths of volumes in " << size.x << " x " << size.y;
+    if (this->Harmonics > 0)
+    {
+      out << " rays of " << this->Depths[0].GetStored().z << " terms";
+    }
+    else
+    {
+      out << " x " << size.z << " nodes";
+    }
+    out << " for each light, " << this->Made << " made anew";
     if (this->Goals.IsSet())
     {
       out << ", at most " << this->NodesMade << " along an axis, chosen for the goal";

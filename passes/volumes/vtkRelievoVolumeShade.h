@@ -50,11 +50,13 @@ public:
   };
   static constexpr double Slack = 0.02;
 
-  // The most nodes along an axis, without a goal. `varies`: the lights differ between the samples
-  // of one picture, which all have the grid that was chosen for the first.
-  void SetNodes(int most, const Goal& goal, bool varies = false)
+  // The most nodes along an axis, and the harmonics of a series instead of those along rays,
+  // without a goal. `varies`: the lights differ between the samples of one picture, which all have
+  // the grid that was chosen for the first.
+  void SetNodes(int most, int harmonics, const Goal& goal, bool varies = false)
   {
     this->Nodes = most;
+    this->Harmonics = goal.IsSet() ? 0 : harmonics;
     this->Goals = goal;
     this->SourcesVary = varies;
   }
@@ -78,6 +80,9 @@ public:
 
   // Whether the light that passes is coloured.
   bool IsTinted() const { return this->Tinted; }
+
+  // Of the series that shaders evaluate; 0: they interpolate nodes.
+  int GetHarmonics() const { return this->Harmonics; }
 
   // The most nodes of the latest grids, and the expected share of wrong places; -1: unknown.
   int GetNodesMade() const { return this->Texture ? this->NodesMade : 0; }
@@ -111,6 +116,7 @@ private:
   bool Colored = false;
   bool Tinted = false;
   int Nodes = 256;
+  int Harmonics = 0;
   Goal Goals;
   int NodesMade = 0;
   double WrongShare = -1.0;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The share of a light that volumes let pass (vtkRelievoVolumeShade). The includer defines
 // RELIEVO_SHADOW_LIGHTS, the number of lights, RELIEVO_VOLUME_AROUND if one is among the volumes,
-// RELIEVO_VOLUME_TINTED if they colour the light, RELIEVO_VOLUME_SPREAD if a sun has a size; then
+// RELIEVO_VOLUME_TINTED if they colour the light, RELIEVO_VOLUME_HARMONICS, the number of harmonics
+// of the series that rays have, or 0 if they have nodes (vtkRelievoOpticalDepths),
+// RELIEVO_VOLUME_SPREAD if a sun has a size; then
 // with shadow/soft.glsl where pixels have parts of its disc (RELIEVO_SHADOW_PARTS).
 //RELIEVO::Include(volumes/texel.glsl)
 uniform sampler3D relievoVolumeDepths; // of all lights, one behind the other
@@ -29,6 +31,33 @@ uniform vec4 relievoVolumeSize[RELIEVO_SHADOW_LIGHTS];   // w: whether it is aro
 uniform vec3 relievoVolumeSpread[RELIEVO_SHADOW_LIGHTS];
 #endif
 
+#if RELIEVO_VOLUME_HARMONICS > 0
+// At a texel, by the series: its terms lie behind each other, not interpolated.
+vec4 relievoVolumeDepth(int slot, vec3 texel)
+{
+  vec3 at = (vec3(texel.xy, float(slot) * relievoVolumeSlices) + 0.5) / relievoVolumeTexture;
+  float share = texel.z / (relievoVolumeSize[slot].z - 1.0);
+  vec2 turn = vec2(cos(6.2831853 * share), sin(6.2831853 * share));
+  vec2 turned = vec2(1.0, 0.0);
+  vec4 depths = share * texture(relievoVolumeDepths, at);
+  for (int m = 1; m <= RELIEVO_VOLUME_HARMONICS; ++m)
+  {
+    turned = vec2(turned.x * turn.x - turned.y * turn.y, turned.x * turn.y + turned.y * turn.x);
+    at.z += 1.0 / relievoVolumeTexture.z;
+    depths += turned.y * texture(relievoVolumeDepths, at);
+    at.z += 1.0 / relievoVolumeTexture.z;
+    depths += (1.0 - turned.x) * texture(relievoVolumeDepths, at);
+  }
+  return max(depths, 0.0);
+}
+#else
+vec4 relievoVolumeDepth(int slot, vec3 texel)
+{
+  texel.z += float(slot) * relievoVolumeSlices;
+  return texture(relievoVolumeDepths, (texel + 0.5) / relievoVolumeTexture);
+}
+#endif
+
 RELIEVO_VOLUME_SHARE relievoVolumePassesAt(int slot, vec4 map)
 {
   vec3 texel = relievoVolumeTexel(map, relievoVolumeSize[slot].xyz);
@@ -38,8 +67,7 @@ RELIEVO_VOLUME_SHARE relievoVolumePassesAt(int slot, vec4 map)
   texel = around ? relievoVolumeTexelAround(map, relievoVolumeSize[slot].xyz) : texel;
   there = there || around;
 #endif
-  texel.z += float(slot) * relievoVolumeSlices;
-  vec4 depths = texture(relievoVolumeDepths, (texel + 0.5) / relievoVolumeTexture);
+  vec4 depths = relievoVolumeDepth(slot, texel);
   return there ? RELIEVO_VOLUME_PASSES(depths) : RELIEVO_VOLUME_SHARE(1.0);
 }
 

@@ -11,7 +11,7 @@ import unittest
 
 import numpy
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import (
     vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction, vtkPlane,
@@ -607,6 +607,23 @@ class Volumes(unittest.TestCase):
         bricks.mapper.SetBlendModeToMaximumIntensity()
         with self.assertRaisesRegex(ValueError, "bricks"):
             bricks.capture()
+
+    def test_changed_later(self):
+        """Values that change after a frame, before its layers are read, do not move its places."""
+        scene = Scene(image_of(ball()), STEEP)
+        truth = scene.capture()["volume_depth"]
+        frame = relievo.attach(scene.renderer)
+        frame.RequestLayer("volume_depth")
+        window = window_of(scene.renderer, *SIZE)
+        window.Render()
+        vtk_to_numpy(scene.image.GetPointData().GetScalars())[:] *= 1.1
+        scene.image.Modified()
+        image = vtkImageData()
+        self.assertEqual(frame.TryReadLayers(["volume_depth"], image), "")
+        found = relievo.layer(image, "volume_depth")[::-1]
+        hit = numpy.isfinite(truth)
+        self.assertGreater(hit.sum(), 500)
+        self.assertLess(numpy.abs(found[hit] - truth[hit]).max(), 0.02 * scene.step)
 
     def test_file(self):
         """OpenEXR holds the layers, and the rule."""

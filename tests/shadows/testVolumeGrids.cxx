@@ -5,8 +5,10 @@
 // memory, a tolerance, a time and a number of lights.
 #include "Check.h"
 #include "GLCheck.h"
+#include "Layers.h"
 #include "Session.h"
 #include "TestCase.h"
+#include "View.h"
 #include "VolumeScene.h"
 #include "Window.h"
 
@@ -78,6 +80,75 @@ void TestSmooth()
     }
   }
   RELIEVO_CHECK_AT_MOST(worst, 6e-3, "a ball: depth");
+}
+
+// Fourier series of rays whose first half has a constant extinction s: partial sums up to harmonic
+// m are s t / 2 + the sum of s (1 - cos(2 pi m t)) / (pi m)^2 over odd m.
+double GetSeries(int harmonics, double t)
+{
+  constexpr double Pi = 3.14159265358979;
+  double depth = 0.5 * Sigma * t;
+  for (int m = 1; m <= harmonics; m += 2)
+  {
+    depth += Sigma * (1.0 - std::cos(2.0 * Pi * m * t)) / (Pi * Pi * m * m);
+  }
+  return depth;
+}
+
+void TestSeries()
+{
+  ZenithStage stage;
+  const relievoTest::GLCheck gl(stage.Window);
+  Volume volume(17, Constant(0.7));
+  volume.Mapper->CroppingOn();
+  volume.Mapper->SetCroppingRegionFlagsToSubVolume();
+  volume.Mapper->SetCroppingRegionPlanes(0.0, 1.0, 0.5, 1.0, 0.0, 1.0);
+  std::string why;
+  const auto fields = vtkRelievoVolumeExtinction::Collect(volume.Prop.Get(), why);
+  for (const int harmonics : { 1, 4, 7 })
+  {
+    vtkRelievoOpticalDepths depths;
+    depths.Make(fields, Sun({ 0, -1, 0 }), 256, harmonics);
+    RELIEVO_CHECK_NEAR(depths.GetStored().z, 2 * harmonics + 1, 0, "terms");
+    for (const double t : { 0.0, 0.1, 0.3, 0.5, 0.8, 1.0, 3.0 })
+    {
+      RELIEVO_CHECK_NEAR(depths.GetDepth({ 0.45, 1.0 - t, 0.55 }),
+        GetSeries(harmonics, std::min(t, 1.0)), 1e-5,
+        std::to_string(harmonics) + " harmonics at " + std::to_string(t));
+    }
+  }
+
+  // Pictures: the ground, and a box within the volume, whose top is at t = 0.3.
+  volume.Prop->SetPosition(-0.5, 0.5, -0.5);
+  stage.Renderer->AddVolume(volume.Prop);
+  stage.AddBox({ 0.0, 1.1, 0.0 }, { 0.3, 0.2, 0.3 });
+  stage.Renderer->ResetCameraClippingRange();
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  const auto getShadow = [&](const glm::dvec3& place) {
+    const relievoTest::Layers layer(relievoTest::CaptureShadow(stage, 0));
+    glm::dvec2 pixel;
+    RELIEVO_CHECK(relievoTest::View(stage.Renderer).Project(place, pixel));
+    return layer.Value("shadow_0", static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+  };
+  const auto isSeries = [&]() {
+    return shadows->GetReason().find(" terms for each light") != std::string::npos;
+  };
+  getShadow({ 0.0, 1.2, 0.0 });
+  const vtkIdType bytes = shadows->GetBytesHeld();
+  for (const int harmonics : { 7, 1 })
+  {
+    shadows->SetVolumeHarmonics(harmonics);
+    const std::string what = std::to_string(harmonics) + " harmonics in the picture";
+    RELIEVO_CHECK_NEAR(
+      getShadow({ 0.0, 1.2, 0.0 }), std::exp(-GetSeries(harmonics, 0.3)), 2e-3, what);
+    RELIEVO_CHECK_NEAR(
+      getShadow({ 0.4, 0.0, 0.4 }), std::exp(-0.5 * Sigma), 2e-3, what + ", whole");
+    RELIEVO_CHECK_THAT(isSeries(), shadows->GetReason());
+  }
+  RELIEVO_CHECK(shadows->GetBytesHeld() <= bytes);
+  shadows->SetTolerance(0.5);
+  RELIEVO_CHECK_NEAR(getShadow({ 0.0, 1.2, 0.0 }), std::exp(-0.3 * Sigma), 0.02, "for a tolerance");
+  RELIEVO_CHECK_THAT(!isSeries(), shadows->GetReason());
 }
 
 // Certificates trace rays through volumes: they find a coarse grid wrong, and a fine one right; and
@@ -187,7 +258,7 @@ void TestGrids()
                         const vtkRelievoVolumeShade::Goal& goal, double most) {
     shade.SetCasters(casters, false);
     shade.SetSpreads({ 0.0, 0.0 });
-    shade.SetNodes(nodes, goal);
+    shade.SetNodes(nodes, 0, goal);
     shade.SetMostBytes(most);
     return shade.Update(window, sources);
   };
@@ -286,6 +357,7 @@ RELIEVO_TEST_CASE(testVolumeGrids)
   relievoTest::Session session;
   TestGrids();
   TestSmooth();
+  TestSeries();
   TestCertified();
   TestManyLights();
   return session.Result();

@@ -45,6 +45,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace testVolumeShadows
@@ -292,6 +293,47 @@ void TestHard()
   }
 }
 
+// Values of 8 bits have the opacities by which VTK draws them, where the function is steep: the
+// light that passes is the white background behind a black volume, in VTK's own picture.
+void TestBytes()
+{
+  const std::pair<int, double> kinds[] = { { VTK_UNSIGNED_CHAR, 128.0 }, { VTK_SIGNED_CHAR, 100.0 },
+    { VTK_SIGNED_CHAR, -100.0 } };
+  for (const auto& kind : kinds)
+  {
+    const double value = kind.second;
+    // A range with the value in its middle, where VTK's table has no offset of half an entry.
+    const auto scalars = [=](const glm::dvec3& place) {
+      const double corner = place.x + place.y + place.z;
+      return value + (corner == 0.0 ? -20.0 : corner == 3.0 ? 20.0 : 0.0);
+    };
+    Volume volume(17, scalars, 1.0, kind.first);
+    volume.Mapper->SetSampleDistance(1.f / 256.f);
+    volume.Opacity->RemoveAllPoints();
+    volume.Opacity->AddPoint(value - 1.0, 0.0);
+    volume.Opacity->AddPoint(value + 1.0, 0.9);
+    vtkNew<vtkColorTransferFunction> black;
+    black->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
+    volume.Prop->GetProperty()->SetColor(black);
+    ShadowStage stage(64, 64);
+    stage.Renderer->AddVolume(volume.Prop);
+    stage.Renderer->SetBackground(1.0, 1.0, 1.0);
+    vtkCamera* camera = stage.Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetPosition(0.5, 0.5, 4.0);
+    camera->SetFocalPoint(0.5, 0.5, 0.0);
+    camera->SetClippingRange(1.0, 10.0);
+    const double drawn =
+      relievoTest::Picture(stage.Window)->GetScalarComponentAsDouble(32, 32, 0, 0) / 255.0;
+    const Source source = Sun({ 0, 0, -1 });
+    const glm::dvec3 behind(0.51, 0.51, -1.0);
+    const std::string what = "bytes of " + std::to_string(value);
+    RELIEVO_CHECK_NEAR(std::exp(-volume.GetDepth(source, behind)), drawn, 0.01, what);
+    RELIEVO_CHECK_NEAR(
+      std::exp(-volume.GetExact(source, behind)), drawn, 0.01, what + ", in double");
+  }
+}
+
 // Whatever is not traced is named; NaN lets light pass.
 void TestRefused()
 {
@@ -512,6 +554,7 @@ void TestColored()
     stage.Renderer->ResetCameraClippingRange();
     vtkRelievoShadowStage* shadows = stage.GetShadows();
     shadows->SetMethod(method);
+    shadows->SetVolumeHarmonics(method == vtkRelievoShadowStage::METHOD_MAP ? 0 : 7);
     shadows->SetStrength(1.0);
     const double depth = 0.5 * Sigma; // lengths count in the volume's coordinates
     // Seen beside the volume.
@@ -883,6 +926,7 @@ RELIEVO_TEST_CASE(testVolumeShadows)
   TestExact();
   TestCut();
   TestHard();
+  TestBytes();
   TestRefused();
   TestGround();
   TestColored();

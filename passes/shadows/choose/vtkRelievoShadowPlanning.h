@@ -33,6 +33,7 @@ public:
     int FilterRadius = 0;
     bool ColoredShadows = false;
     int VolumeNodes = 0;
+    int VolumeHarmonics = 0;
 
     bool HasGoal() const { return this->Tolerance > 0.0 || this->TimeBudget > 0.0; }
   };

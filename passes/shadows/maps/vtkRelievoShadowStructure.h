@@ -35,6 +35,7 @@ struct vtkRelievoShadowStructure
   bool Traced = false;       // whether rays decide, after the maps
   bool Volumes = false;      // whether volumes cast
   bool Around = false;       // and a light is among them
+  int Harmonics = 0;         // of the series of their rays; 0: nodes
   bool Spread = false;       // and a sun that dims them has a size
   bool Tinted = false;       // and their colours colour the light
   bool Colored = false;      // whether transmitted light has the surfaces' colours
@@ -61,10 +62,10 @@ struct vtkRelievoShadowStructure
     return this->Lights == other.Lights && this->Method == other.Method &&
       this->Maps == other.Maps && this->Traced == other.Traced && this->Colored == other.Colored &&
       this->Volumes == other.Volumes && this->Around == other.Around &&
-      this->Spread == other.Spread && this->Tinted == other.Tinted &&
-      this->WideFilter == other.WideFilter && this->Highlights == other.Highlights &&
-      this->Numbers == other.Numbers && this->Parts == other.Parts && this->Unlit == other.Unlit &&
-      this->Found == other.Found;
+      this->Harmonics == other.Harmonics && this->Spread == other.Spread &&
+      this->Tinted == other.Tinted && this->WideFilter == other.WideFilter &&
+      this->Highlights == other.Highlights && this->Numbers == other.Numbers &&
+      this->Parts == other.Parts && this->Unlit == other.Unlit && this->Found == other.Found;
   }
 };
 

@@ -218,6 +218,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
   dec << (structure.Spread ? "#define RELIEVO_VOLUME_SPREAD\n" : "");
   dec << (structure.Around ? "#define RELIEVO_VOLUME_AROUND\n" : "");
+  dec << "#define RELIEVO_VOLUME_HARMONICS " << structure.Harmonics << "\n";
   dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
   dec << (structure.Tinted ? "#define RELIEVO_VOLUME_TINTED\n" : "");
   dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");

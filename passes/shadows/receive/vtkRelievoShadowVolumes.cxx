@@ -251,6 +251,7 @@ std::string vtkRelievoShadowVolumes::Fill(std::string& fragment, const Shadows& 
   dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
   dec << "#define RELIEVO_VOLUME_NUMBERS " << GetSlots(shadows, true, 1).size() << "\n";
   dec << (structure.Around ? "#define RELIEVO_VOLUME_AROUND\n" : "");
+  dec << "#define RELIEVO_VOLUME_HARMONICS " << structure.Harmonics << "\n";
   dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
   dec << (structure.Tinted ? "#define RELIEVO_VOLUME_TINTED\n" : "");
   FillMark(fragment, VolumeExtensions,

@@ -6,6 +6,8 @@
 #include "vtkRelievoThreads.h"
 #include "vtkRelievoVolumeExtinction.h"
 
+#include <glm/common.hpp>
+#include <glm/ext/scalar_constants.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -57,6 +59,69 @@ struct Range
   }
 };
 
+// What is stored of a ray: depths at its nodes, or the terms of a series.
+class Series
+{
+public:
+  Series(int pieces, int harmonics)
+  {
+    // The extinction is constant in each piece.
+    const double turn = 2.0 * glm::pi<double>();
+    for (int m = 1; m <= harmonics; ++m)
+    {
+      for (int k = 0; k < pieces; ++k)
+      {
+        const double half = 0.5 * turn * m / pieces;
+        const double middle = turn * m * (k + 0.5) / pieces;
+        const double width = 2.0 * std::sin(half) / half / (turn * m);
+        this->Cosines.push_back(static_cast<float>(width * std::cos(middle)));
+        this->Sines.push_back(static_cast<float>(width * std::sin(middle)));
+      }
+    }
+  }
+
+  // `stride`: between two values that are stored.
+  template <typename Value>
+  void Store(const std::vector<Value>& parts, Value* to, std::size_t stride) const
+  {
+    Value sum(0.f);
+    if (this->Cosines.empty())
+    {
+      for (std::size_t k = 0; k < parts.size(); ++k)
+      {
+        sum += parts[k];
+        to[(k + 1) * stride] = sum;
+      }
+      return;
+    }
+    std::vector<Value> dimming(parts.size());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+    {
+      const Value before = sum;
+      sum = glm::min(sum + parts[k], Value(vtkRelievoOpticalDepths::Deepest));
+      dimming[k] = sum - before;
+    }
+    to[0] = sum;
+    for (std::size_t first = 0; first < this->Cosines.size(); first += parts.size())
+    {
+      Value even(0.f);
+      Value odd(0.f);
+      for (std::size_t k = 0; k < parts.size(); ++k)
+      {
+        even += this->Cosines[first + k] * dimming[k];
+        odd += this->Sines[first + k] * dimming[k];
+      }
+      const std::size_t m = first / parts.size();
+      to[(2 * m + 1) * stride] = even;
+      to[(2 * m + 2) * stride] = odd;
+    }
+  }
+
+private:
+  std::vector<float> Cosines; // of each harmonic, for each piece
+  std::vector<float> Sines;
+};
+
 // An axis across the direction, along an axis of the volume if one is: so the sides of a box lie
 // between rays.
 glm::dvec3 GetAcross(const glm::dmat3& axes, const glm::dvec3& direction)
@@ -83,10 +148,11 @@ glm::dvec3 GetDirection(double longitude, double angle)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoOpticalDepths::Lay(
-  const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most)
+void vtkRelievoOpticalDepths::Lay(const std::vector<vtkRelievoVolumeExtinction>& fields,
+  const Source& source, int most, int harmonics)
 {
   this->ReleaseNodes();
+  this->Harmonics = harmonics;
   this->Size = glm::ivec3(0);
   if (fields.empty())
   {
@@ -183,35 +249,34 @@ void vtkRelievoOpticalDepths::Lay(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoOpticalDepths::Make(
-  const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most)
+void vtkRelievoOpticalDepths::Make(const std::vector<vtkRelievoVolumeExtinction>& fields,
+  const Source& source, int most, int harmonics)
 {
-  this->Lay(fields, source, most);
+  this->Lay(fields, source, most, harmonics);
   const auto slice = static_cast<std::size_t>(this->Size.x) * this->Size.y;
   const bool tinted = std::any_of(fields.begin(), fields.end(),
     [](const vtkRelievoVolumeExtinction& field) { return field.HasTints(); });
-  this->Depths.assign(slice * this->Size.z, 0.f);
-  this->Tints.assign(tinted ? slice * this->Size.z : 0, glm::vec3(0.f));
+  const int stored = this->GetStored().z;
+  const Series series(this->Size.z - 1, harmonics);
+  this->Depths.assign(slice * stored, 0.f);
+  this->Tints.assign(tinted ? slice * stored : 0, glm::vec3(0.f));
   vtkRelievoForAll(this->Size.y, [&](vtkIdType j) {
     const int pieces = this->Size.z - 1;
     const auto width = static_cast<std::size_t>(this->Size.x);
     std::vector<float> ray(pieces);
     std::vector<glm::vec3> tints(tinted ? pieces : 0);
-    std::vector<float> row(width * this->Size.z);
+    std::vector<float> row(width * stored);
     std::vector<glm::vec3> tintedRow(tinted ? row.size() : 0);
     for (std::size_t i = 0; i < width; ++i)
     {
       this->March(fields, static_cast<int>(i), static_cast<int>(j), ray, tints);
-      for (int k = 0; k < pieces; ++k)
+      series.Store(ray, &row[i], width);
+      if (tinted)
       {
-        row[(k + 1) * width + i] = row[k * width + i] + ray[k];
-        if (tinted)
-        {
-          tintedRow[(k + 1) * width + i] = tintedRow[k * width + i] + tints[k];
-        }
+        series.Store(tints, &tintedRow[i], width);
       }
     }
-    for (int k = 0; k < this->Size.z; ++k)
+    for (int k = 0; k < stored; ++k)
     {
       const auto to = static_cast<std::ptrdiff_t>(slice * k + j * width);
       std::copy_n(
@@ -264,6 +329,26 @@ double vtkRelievoOpticalDepths::GetDepth(const glm::dvec3& world) const
   {
     return 0.0;
   }
+  if (this->Harmonics == 0)
+  {
+    return this->Interpolate(texel);
+  }
+  const auto term = [&](int number) { return this->Interpolate({ texel.x, texel.y, number }); };
+  const double share = texel.z / (this->Size.z - 1);
+  double depth = share * term(0);
+  for (int m = 1; m <= this->Harmonics; ++m)
+  {
+    const double turn = 2.0 * glm::pi<double>() * m * share;
+    depth += term(2 * m - 1) * std::sin(turn) + term(2 * m) * (1.0 - std::cos(turn));
+  }
+  return std::max(depth, 0.0);
+}
+
+//------------------------------------------------------------------------------
+// Between what is stored.
+double vtkRelievoOpticalDepths::Interpolate(const glm::dvec3& texel) const
+{
+  const glm::ivec3 size = this->GetStored();
   double depth = 0.0;
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -271,11 +356,11 @@ double vtkRelievoOpticalDepths::GetDepth(const glm::dvec3& world) const
     std::size_t at = 0;
     for (int i = 2; i >= 0; --i)
     {
-      const int low = std::min(static_cast<int>(texel[i]), std::max(0, this->Size[i] - 2));
+      const int low = std::min(static_cast<int>(texel[i]), std::max(0, size[i] - 2));
       const double part = texel[i] - low;
       const int step = corner >> i & 1;
       weight *= step ? part : 1.0 - part;
-      at = at * this->Size[i] + std::min(low + step, this->Size[i] - 1);
+      at = at * size[i] + std::min(low + step, size[i] - 1);
     }
     depth += weight * this->Depths[at];
   }

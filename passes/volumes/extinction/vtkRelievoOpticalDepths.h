@@ -5,7 +5,9 @@
 // first two axes number the rays, its third is the distance along them. A point behind the
 // volumes has the depth of its whole ray, one before them none. The light that reaches a point is
 // exp(-depth), without a limit on how the extinction changes along the ray (T. Lokovic, E. Veach:
-// Deep shadow maps, 2000), since the grid has a node at every voxel.
+// Deep shadow maps, 2000), since the grid has a node at every voxel. Instead of nodes along a ray it
+// may have a few terms of a Fourier series of the ray's extinction, which take less memory and cost
+// exactness (J. Jansen, L. Bavoil: Fourier opacity mapping, 2010).
 #ifndef vtkRelievoOpticalDepths_h
 #define vtkRelievoOpticalDepths_h
 
@@ -35,11 +37,17 @@ public:
     }
   };
 
+  // exp(-64) is darkness: deeper rays need no more of a series or a half float.
+  static constexpr float Deepest = 64.f;
+
   // Marches through the fields: a node for each voxel, in each direction at most `most`.
-  void Make(const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most);
+  // `harmonics`: of each ray's series, in place of its nodes; 0: nodes.
+  void Make(const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most,
+    int harmonics = 0);
 
   // Everything about such a grid but its nodes.
-  void Lay(const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most);
+  void Lay(const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most,
+    int harmonics = 0);
 
   // The share of places in and behind the volumes whose light a laid grid misses by more than
   // `slack`, found at `places` random ones by rays in double; -1 if none of them is in any shade.
@@ -56,6 +64,16 @@ public:
   const glm::dmat4& GetWorldToMap() const { return this->WorldToMap; }
   bool IsAround() const { return this->Around; }
   const glm::ivec3& GetSize() const { return this->Size; }
+
+  // What a ray has instead of its nodes (shaders/volumes/shade.glsl): the whole depth, and for each
+  // harmonic m the factors of sin(2 pi m t) and 1 - cos(2 pi m t), for t from 0 to 1 along the ray.
+  int GetHarmonics() const { return this->Harmonics; }
+  // Numbers of values along each axis: of nodes, or of rays and terms.
+  glm::ivec3 GetStored() const
+  {
+    const int along = this->Harmonics > 0 ? 2 * this->Harmonics + 1 : this->Size.z;
+    return { this->Size.x, this->Size.y, along };
+  }
   const std::vector<float>& GetDepths() const { return this->Depths; } // x fastest
   // The tints of vtkRelievoVolumeExtinction, or empty.
   const std::vector<glm::vec3>& GetTints() const { return this->Tints; }
@@ -71,10 +89,12 @@ private:
   void March(const std::vector<vtkRelievoVolumeExtinction>& fields, int i, int j,
     std::vector<float>& depths, std::vector<glm::vec3>& tints) const;
   bool FindTexel(const glm::dvec3& world, glm::dvec3& texel) const;
+  double Interpolate(const glm::dvec3& texel) const;
 
   glm::dmat4 WorldToMap{ 1.0 };
   bool Around = false;
   glm::ivec3 Size{ 0 };
+  int Harmonics = 0;
   int Samples = 1;                                                                    // of a piece
   std::function<void(double i, double j, glm::dvec3& from, glm::dvec3& step)> GetRay; // at a texel
   std::vector<float> Depths;

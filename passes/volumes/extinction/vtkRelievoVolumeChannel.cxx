@@ -5,6 +5,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkRelievoVolumeImages.h"
 #include "vtkVolumeProperty.h"
 
 #include <cmath>
@@ -44,8 +45,9 @@ vtkRelievoVolumeChannel::vtkRelievoVolumeChannel(vtkVolumeProperty* property, vt
   this->Extinction.resize(Entries);
   std::transform(opacities.begin(), opacities.end(), this->Extinction.begin(),
     [this](float opacity) { return static_cast<float>(GetExtinction(opacity, this->Unit)); });
-  this->First = static_cast<float>(range[0]);
-  this->PerScalar = static_cast<float>((Entries - 1) / (range[1] - range[0]));
+  this->Stretch = vtkRelievoVolumeImages::GetStretch(array);
+  this->First = static_cast<float>(range[0] / this->Stretch);
+  this->PerScalar = static_cast<float>(this->Stretch * (Entries - 1) / (range[1] - range[0]));
   if (HasGradients(property, function))
   {
     vtkPiecewiseFunction* gradients = property->GetGradientOpacity(function);
@@ -56,7 +58,7 @@ vtkRelievoVolumeChannel::vtkRelievoVolumeChannel(vtkVolumeProperty* property, vt
     const glm::dvec3 spacing(
       image->GetSpacing()[0], image->GetSpacing()[1], image->GetSpacing()[2]);
     const double mean = (spacing.x + spacing.y + spacing.z) / 3.0;
-    this->Weights = glm::vec3(mean / (2.0 * spacing));
+    this->Weights = glm::vec3(this->Stretch * mean / (2.0 * spacing));
   }
 }
 
@@ -73,8 +75,8 @@ void vtkRelievoVolumeChannel::AddTints(
   this->TintBy = components == 2 && !property->GetIndependentComponents() ? 0 : this->Component;
   double range[2];
   GetRange(array, this->TintBy, range);
-  this->FirstTint = static_cast<float>(range[0]);
-  this->PerTint = static_cast<float>((Entries - 1) / (range[1] - range[0]));
+  this->FirstTint = static_cast<float>(range[0] / this->Stretch);
+  this->PerTint = static_cast<float>(this->Stretch * (Entries - 1) / (range[1] - range[0]));
   std::vector<float> colors(3 * Entries);
   if (property->GetColorChannels(function) == 1)
   {

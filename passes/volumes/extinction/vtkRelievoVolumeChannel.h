@@ -26,7 +26,7 @@ struct vtkRelievoVolumeChannel
   int Component = 0;
   float Weight = 1.f;
   std::vector<float> Extinction; // of scalars, per unit of length in the volume's coordinates
-  float First = 0.f;             // the scalar of its first entry
+  float First = 0.f;             // the image's scalar of its first entry
   float PerScalar = 0.f;         // entries
   // Opacity by the gradient's length, from 0 to a quarter of the scalars' range, constant beyond;
   // empty: none. The length is that of differences of neighbours, each times its weight.
@@ -38,6 +38,7 @@ struct vtkRelievoVolumeChannel
   float PerTint = 0.f;
   vtkRelievoOpacityCurve Opacity; // the functions themselves, for GetDepth
   vtkRelievoOpacityCurve Gradient;
+  double Stretch = 1.0; // of scalars, where functions are looked up
   double Range[2] = { 0.0, 1.0 };
   double Unit = 1.0;
   double Steepest = 1.0; // gradient length, where the gradient's table ends

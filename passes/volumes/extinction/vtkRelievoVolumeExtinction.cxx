@@ -291,7 +291,7 @@ double vtkRelievoVolumeExtinction::GetExact(const T* values, const glm::dvec3& p
   for (const vtkRelievoVolumeChannel& channel : this->Channels)
   {
     const double* range = channel.Range;
-    const double scalar = this->GetScalar(values, channel.Component, place);
+    const double scalar = channel.Stretch * this->GetScalar(values, channel.Component, place);
     if (std::isnan(scalar))
     {
       continue;

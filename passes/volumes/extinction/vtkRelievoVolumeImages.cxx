@@ -46,6 +46,25 @@ vtkDataArray* vtkRelievoVolumeImages::GetScalars(
 }
 
 //------------------------------------------------------------------------------
+double vtkRelievoVolumeImages::GetStretch(vtkDataArray* values)
+{
+  switch (values->GetDataType())
+  {
+    case VTK_UNSIGNED_CHAR:
+      return 256.0 / 255.0;
+    case VTK_CHAR:
+    case VTK_SIGNED_CHAR:
+      return 128.0 / 127.0;
+    case VTK_UNSIGNED_SHORT:
+      return 65536.0 / 65535.0;
+    case VTK_SHORT:
+      return 32768.0 / 32767.0;
+    default:
+      return 1.0;
+  }
+}
+
+//------------------------------------------------------------------------------
 glm::dmat4 vtkRelievoVolumeImages::GetIndexToData(vtkImageData* image, bool cells, int size[3])
 {
   int extent[6];
