@@ -84,7 +84,7 @@ METHODS = {
     "constant, computed": "purple ^ : constant bias", "vtkShadowMapPass": "grey x -- VTK",
     "with ties": "orange v -", "without ties": "blue o -", "expected": "grey x --",
     # light through volumes
-    "grid": "blue o -", "Fourier terms": "grey s -.", "march": "grey D --",
+    "grid": "blue o -", "Fourier terms": "green s -.", "march": "grey D --",
     # volumes whose transparent parts are skipped
     "one ball": "blue o -", "64 balls": "green D -", "gyroid": "vermillion s -",
     # samples of the default preset

@@ -353,6 +353,21 @@ void TestRefused()
   volume.Prop->GetProperty()->SetScalarOpacity(none);
   RELIEVO_CHECK(why().empty());
 
+  // Neither does anything cast that VTK does not draw.
+  if (volume.Mapper->IsA("vtkGPUVolumeRayCastMapper"))
+  {
+    Volume mirrored(9, Constant(0.5));
+    mirrored.Image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, -1);
+    Volume chars(9, Constant(0.0), 1.0, VTK_CHAR);
+    for (const auto& each : { std::make_pair(&mirrored, "left-handed axes"),
+           std::make_pair(&chars, "VTK does not draw values of VTK_CHAR") })
+    {
+      std::string reason;
+      RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(each.first->Prop.Get(), reason).empty());
+      RELIEVO_CHECK_THAT(reason.find(each.second) != std::string::npos, reason);
+    }
+  }
+
   RELIEVO_CHECK(vtkRelievoPlacedVolume::FindWhyNotPlaced(volume.Prop).empty());
   // Shaders have no one matrix from its texture to the world.
   vtkNew<vtkRectilinearGrid> grid;

@@ -5,6 +5,7 @@
 #include "vtkDataArray.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkRelievoPlacedVolume.h"
 #include "vtkRelievoVolumeImages.h"
 #include "vtkVolume.h"
@@ -51,6 +52,21 @@ std::string FindWhyNot(vtkVolume* volume, vtkVolumeMapper* mapper)
   }
   return std::string();
 }
+
+// The reason why a mapper on the GPU leaves an image out, or "".
+std::string FindWhyNotDrawn(vtkVolumeMapper* mapper, vtkImageData* image, vtkDataArray* values)
+{
+  if (mapper->IsA("vtkGPUVolumeRayCastMapper") && values->GetDataType() == VTK_CHAR)
+  {
+    return "VTK does not draw values of VTK_CHAR; use VTK_SIGNED_CHAR";
+  }
+  if (!mapper->IsA("vtkFixedPointVolumeRayCastMapper") &&
+    image->GetDirectionMatrix()->Determinant() < 0.0)
+  {
+    return "its image has left-handed axes, of which VTK culls the front; reverse one axis";
+  }
+  return std::string();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -87,6 +103,11 @@ std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
     if (!field.Array || field.Array->GetNumberOfTuples() == 0)
     {
       continue;
+    }
+    why = FindWhyNotDrawn(mapper, image, field.Array);
+    if (!why.empty())
+    {
+      return {};
     }
     const int components = field.Array->GetNumberOfComponents();
     const bool independent = components > 1 && property->GetIndependentComponents();
