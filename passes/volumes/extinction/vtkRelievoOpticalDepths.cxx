@@ -59,7 +59,7 @@ struct Range
   }
 };
 
-// What is stored of a ray: depths at its nodes, or the terms of a series.
+// The values that are stored of a ray: depths at its nodes, or the terms of a series.
 class Series
 {
 public:

@@ -5,9 +5,9 @@
 // first two axes number the rays, its third is the distance along them. A point behind the
 // volumes has the depth of its whole ray, one before them none. The light that reaches a point is
 // exp(-depth), without a limit on how the extinction changes along the ray (T. Lokovic, E. Veach:
-// Deep shadow maps, 2000), since the grid has a node at every voxel. Instead of nodes along a ray it
-// may have a few terms of a Fourier series of the ray's extinction, which take less memory and cost
-// exactness (J. Jansen, L. Bavoil: Fourier opacity mapping, 2010).
+// Deep shadow maps, 2000), since the grid has a node at every voxel. Instead of nodes, a ray may
+// have a few terms of a Fourier series of its extinction, which take less memory and cost exactness
+// (J. Jansen, L. Bavoil: Fourier opacity mapping, 2010).
 #ifndef vtkRelievoOpticalDepths_h
 #define vtkRelievoOpticalDepths_h
 
@@ -65,7 +65,7 @@ public:
   bool IsAround() const { return this->Around; }
   const glm::ivec3& GetSize() const { return this->Size; }
 
-  // What a ray has instead of its nodes (shaders/volumes/shade.glsl): the whole depth, and for each
+  // The terms of a ray's series (shaders/volumes/shade.glsl) are the whole depth, and for each
   // harmonic m the factors of sin(2 pi m t) and 1 - cos(2 pi m t), for t from 0 to 1 along the ray.
   int GetHarmonics() const { return this->Harmonics; }
   // Numbers of values along each axis: of nodes, or of rays and terms.

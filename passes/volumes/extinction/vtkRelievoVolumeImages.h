@@ -22,9 +22,9 @@ std::vector<vtkImageData*> Find(vtkDataObject* data, bool& others);
 // The values that the mapper draws; `cells`: whether they belong to cells.
 vtkDataArray* GetScalars(vtkVolumeMapper* mapper, vtkImageData* image, int& cells);
 
-// VTK's shader looks values of 8 and 16 bits up in transfer functions as if they were larger by this
-// factor: it divides them by their number of values (vtkVolumeTexture::GetScaleAndBias), OpenGL by
-// the greatest value.
+// VTK's shader looks values of 8 and 16 bits up in transfer functions as if they were larger by
+// this factor: it divides them by their number of values (vtkVolumeTexture::GetScaleAndBias),
+// OpenGL by the greatest value.
 double GetStretch(vtkDataArray* values);
 
 // From indices of samples, which are points or the centres of cells; and their number.
