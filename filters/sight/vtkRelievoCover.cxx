@@ -275,14 +275,6 @@ void AddCounts(vtkPolyData* mesh, const char* name, const std::vector<int>& coun
   std::copy(counts.begin(), counts.end(), array->GetPointer(0));
   mesh->GetCellData()->AddArray(array);
 }
-
-void AddField(vtkPolyData* mesh, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  mesh->GetFieldData()->AddArray(array);
-}
 }
 
 //------------------------------------------------------------------------------

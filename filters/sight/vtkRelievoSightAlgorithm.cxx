@@ -3,8 +3,11 @@
 #include "vtkRelievoSightAlgorithm.h"
 
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoRayScene.h"
 #include "vtkRelievoShare.h"
@@ -64,6 +67,15 @@ vtkSmartPointer<vtkRelievoRayScene> vtkRelievoSightAlgorithm::MakeScene(
     scene->AddData(vtkDataSet::GetData(inputs[1], i));
   }
   return scene;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSightAlgorithm::AddField(vtkPolyData* mesh, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  mesh->GetFieldData()->AddArray(array);
 }
 
 //------------------------------------------------------------------------------

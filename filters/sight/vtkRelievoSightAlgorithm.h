@@ -51,6 +51,9 @@ protected:
   // The share of so many cells or points: the first, and the one after the last.
   std::array<std::size_t, 2> GetShare(std::size_t all) const;
 
+  // Adds a number to the field data.
+  static void AddField(vtkPolyData* mesh, const char* name, double value);
+
 private:
   vtkRelievoSightAlgorithm(const vtkRelievoSightAlgorithm&) = delete;
   void operator=(const vtkRelievoSightAlgorithm&) = delete;
