@@ -312,6 +312,12 @@ void vtkRelievoSunExposure::SetWeather(vtkTable* table)
 }
 
 //------------------------------------------------------------------------------
+vtkTable* vtkRelievoSunExposure::GetWeather()
+{
+  return this->Weather;
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoSunExposure::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();

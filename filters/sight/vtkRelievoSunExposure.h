@@ -191,7 +191,7 @@ public:
    * W/m2, the means of equal intervals from the first midnight to the last. Default: none.
    */
   void SetWeather(vtkTable* table);
-  vtkTable* GetWeather() const { return this->Weather; }
+  vtkTable* GetWeather();
   ///@}
 
   vtkMTimeType GetMTime() override;

@@ -75,7 +75,7 @@ DiffuseShares GetPerezShares(double sine, double extraterrestrial, const Sunligh
     std::upper_bound(std::begin(clearness), std::end(clearness), clear) - std::begin(clearness));
   const double(&f)[6] = coefficients[row];
   const double brightness = light.Diffuse * GetAirMass(sine) / extraterrestrial;
-  return { std::max(0.0, f[0] + f[1] * brightness + f[2] * zenith),
+  return { std::clamp(f[0] + f[1] * brightness + f[2] * zenith, 0.0, 1.0),
     f[3] + f[4] * brightness + f[5] * zenith };
 }
 }

@@ -34,8 +34,7 @@ double ToNumber(const std::string& text)
   std::istringstream in(text);
   in.imbue(std::locale::classic());
   double number = 0.0;
-  in >> number >> std::ws;
-  return in.fail() || !in.eof() ? std::nan("") : number;
+  return in >> number && (in >> std::ws).eof() ? number : std::nan("");
 }
 }
 

@@ -67,10 +67,11 @@ class Sight(CliTest):
             "\n".join(["OFF", f"{len(points)} {len(quads)} 0", *points, *quads, ""]))
         works = (
             ["sun", "hills.off", *SUN, "--up", "y", "--step", "60", "--sky", "4"],
+            ["sun", "hills.off", *SUN, "--up", "y", "--step", "60", "--irradiance", "perez"],
             ["sun", "hills.off", *SUN, "--up", "y", "--step", "60", "--points"],
             ["visible", "hills.off", "--poses", "random:3", "--size", "12x9"],
         )
-        for work, count in zip(works, (draw.randint(2, 5), draw.randint(2, 17), 3)):
+        for work, count in zip(works, (draw.randint(2, 5), 3, draw.randint(2, 17), 3)):
             with self.subTest(work, count=count):
                 self.relievo(*work, "-o", "whole.vtp")
                 folder = self.folder / "shared.vtp.parts"
