@@ -399,7 +399,11 @@ int vtkRelievoCover::RequestData(
     all += weights[cell] * this->Times;
   }
 
-  const vtkSmartPointer<vtkRelievoRayScene> scene = MakeScene(inputs);
+  const vtkSmartPointer<vtkRelievoRayScene> scene = this->MakeScene(inputs);
+  if (!scene)
+  {
+    return 1;
+  }
   scene->Update();
   Limits limits;
   limits.Farthest = this->FarthestDistance;

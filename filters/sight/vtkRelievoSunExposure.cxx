@@ -661,7 +661,11 @@ int vtkRelievoSunExposure::RequestData(
   }
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  const vtkSmartPointer<vtkRelievoRayScene> scene = MakeScene(inputs);
+  const vtkSmartPointer<vtkRelievoRayScene> scene = this->MakeScene(inputs);
+  if (!scene)
+  {
+    return 1;
+  }
   vtkRelievoSurfacePlaces places;
   this->Points ? places.TakePoints(mesh) : places.TakeCells(mesh);
   places.Keep(this->GetShare(places.At.size()));

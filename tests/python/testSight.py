@@ -538,6 +538,50 @@ class SeenScene(unittest.TestCase):
         self.assertEqual(cloud.GetPointData().GetArray("actor").GetNumberOfTuples(), 0)
 
 
+class FromRays(unittest.TestCase):
+    """sun_exposure(), visible() and cover() of a file of trees: those of the mesh, bit for bit."""
+
+    def test_equal(self):
+        draw = numpy.random.default_rng(45)
+        hills = [(i % 12, draw.uniform(0, 2), i // 12) for i in range(144)]
+        quads = [(i, i + 12, i + 13, i + 1) for i in range(132) if i % 12 < 11]
+        mesh, roof = mesh_of(hills, quads), box((6, 4, 6), 1.5)
+        camera = relievo.Pinhole(K, SIZE).look_at((3, 9, 2), (6, 0, 6), (0, 0, 1))
+        works = {
+            "sun_hours": lambda thing, others: relievo.sun_exposure(
+                thing, 40, 10, "2026-03-20", step=60, occluders=others),
+            "irradiation": lambda thing, others: relievo.sun_exposure(
+                thing, 40, 10, "2026-03-20", irradiance="perez", occluders=others),
+            "solid_angle": lambda thing, others: relievo.visible(thing, camera, occluders=others),
+            "candidates": lambda thing, others: relievo.cover(
+                thing, [(3, 5, 3), (9, 6, 9), (1, 4, 9)], 2, occluders=others)[0],
+        }  # fmt: skip
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "hills.rays"
+            relievo.rays(mesh, roof).write(file)
+            scene = relievo.rays(file, mesh, roof)
+            # Rays of another range are not those of the work.
+            scene.nearest((0, 9, 0), (0, -1, 0), minimum=1, maximum=2)
+            for name, work in works.items():
+                with self.subTest(name):
+                    values = [array(work(*each), name) for each in ((mesh, roof), (scene, ()))]
+                    numpy.testing.assert_array_equal(*values)
+                    self.assertGreater(len(set(values[0].tolist())), 1)
+            self.assertEqual(scene.scene.GetNumberOfMeshesBuilt(), 0)
+            for thing, others, wrong in ((relievo.rays(file), (), "of a file alone"),
+                                         (scene, roof, "beside Rays"),
+                                         (relievo.rays((mesh, numpy.eye(4))), (), "matrices")):
+                with self.assertRaisesRegex(ValueError, wrong):
+                    works["sun_hours"](thing, others)
+        other = relievo.vtkRelievoSunExposure()
+        other.SetInputDataObject(0, roof)
+        other.SetScene(scene.scene)
+        with relievo._arguments.errors.Watch(other) as watch:
+            other.Update()
+        with self.assertRaisesRegex(ValueError, "other data"):
+            watch.raise_as(ValueError, "sun")
+
+
 class ViewFactors(unittest.TestCase):
     """view_factors(): closed forms (J. R. Howell, A Catalog of Radiation Heat Transfer
     Configuration Factors), sums and reciprocity."""

@@ -65,7 +65,8 @@ public:
     outputs.Add("-o", this->File, this->Names);
     reading::Progress progress;
     MeshParts parts(MeshParts::GetFolder(this->File));
-    const int up = ReadMeshes(this->Names, this->AllowedFolders, this->Sun, progress);
+    const int up =
+      ReadMeshes(this->Names, this->AllowedFolders, this->RayFile, this->Sun, progress);
     this->Sun->SetUpAxis(this->Up < 0 ? up : this->Up);
     if (this->IsPart && !parts.Begin(this->Rows.Name, this->DescribeSun(), this->Sun, this->Part))
     {

@@ -97,7 +97,7 @@ def visible(thing, cameras, occluders=(), size=None, cloud=False) -> vtkPolyData
         of_actors = relievo.visible(renderer, sensors)
 
     thing: a dataset or a filter that makes one; data other than polygons count by their outer
-        surface. Or a scene as for rays(): a renderer, a plotter, an actor, or a list of data or
+        surface; or Rays of a mesh and its occluders. Or a scene as for rays(): a renderer, a plotter, an actor, or a list of data or
         actors.
     cameras: CameraModels (Pinhole, Fisheye, ...), or vtkCameras, renderers and plotters with
         pictures of `size` (columns, rows); one or a list.
@@ -284,7 +284,8 @@ sun_exposure.__doc__ = f"""Returns the mesh with its hours of sun and its irradi
                                  irradiance="perez", weather="vienna.epw")
 
 mesh: a dataset or a filter that makes one; data other than polygons count by their outer
-    surface. Normals point outwards.
+    surface. Normals point outwards. Or Rays of it and its occluders, such as
+    relievo.rays("city.rays", mesh).
 latitude, longitude: degrees, -90 to 90 and -180 to 180, north and east positive.
 first, last: the first and the last day, as datetime.date or "2026-06-21"; last None: one day.
 occluders: other data that shade it, one or a list.
@@ -438,8 +439,8 @@ cover.__doc__ = f"""Chooses, of many candidate places, the k from which most of 
     site, cameras = relievo.cover(site, numpy.array(poles), 6, farthest_distance=40)
     share = site.GetFieldData().GetArray("share").GetValue(0)
 
-mesh: a dataset or a filter that makes one; of data other than polygons, the outer surface. Cells
-    count by their areas.
+mesh: a dataset or a filter that makes one; of data other than polygons, the outer surface; or Rays
+    of it and its occluders. Cells count by their areas.
 candidates: an array (n, 3) of places, or a dataset whose points are the places.
 k: how many to choose, from 1.
 occluders: other data that occlude the mesh, one or a list.
@@ -577,9 +578,31 @@ def _surface(thing):
 
 
 def _give(filter_, mesh, occluders):
+    if isinstance(mesh, Rays):
+        _give_rays(filter_, mesh, occluders)
+        return
     filter_.SetInputDataObject(0, _surface(mesh))
     for each in _listed(occluders):
         filter_.AddInputDataObject(1, _surface(each))
+
+
+def _give_rays(filter_, scene, occluders):
+    """The data of rays(): the first is the mesh, the others hide it."""
+    if scene.scene.GetRenderer() is not None or scene.has_matrices:
+        raise ValueError("mesh: got Rays of a renderer, of actors or of data with matrices, expected "
+                         "those of data")
+    if not scene.props or None in scene.props:
+        raise ValueError("mesh: got Rays of a file alone, which has no cells, expected "
+                         "relievo.rays(file, mesh)")
+    if not is_a(scene.props[0], "vtkPolyData"):
+        raise ValueError(f"mesh: got Rays of {describe(scene.props[0])}, expected vtkPolyData")
+    if _listed(occluders):
+        raise ValueError("occluders: got some beside Rays, whose data after the first hide the mesh")
+    filter_.SetInputDataObject(0, scene.props[0])
+    for each in scene.props[1:]:
+        filter_.AddInputDataObject(1, each)
+    if hasattr(filter_, "SetScene"):
+        filter_.SetScene(scene.scene)
 
 
 def _run(filter_, subject, *others):
