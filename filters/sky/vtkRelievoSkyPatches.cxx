@@ -146,7 +146,6 @@ bool vtkRelievoSkyPatches::Receiver::IsFree(int column, int row)
     const bool hit = this->Tree.HitsAny(
       this->Place - this->Tree.GetCenter(), this->Sky.GetCorner(column, row), 0.0, farthest);
     seen = 2 * this->Number + (hit ? 0 : 1);
-    ++this->Rays;
   }
   return seen % 2 == 1;
 }

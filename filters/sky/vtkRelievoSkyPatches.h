@@ -57,9 +57,6 @@ public:
     // The place is in the world's coordinates, in front of its surface.
     Sums Receive(const glm::dvec3& place, const glm::dvec3& normal);
 
-    // Rays of all places so far.
-    std::int64_t GetNumberOfRays() const { return this->Rays; }
-
   private:
     struct Node
     {
@@ -79,7 +76,6 @@ public:
     std::vector<Node> Nodes;
     std::vector<std::uint32_t> Seen; // of corners: twice the place's number, plus 1 if seen
     std::uint32_t Number = 0;
-    std::int64_t Rays = 0;
   };
 
 private:
