@@ -822,8 +822,8 @@ class Sun(unittest.TestCase):
         self.assertGreater(plain, 4)
 
     def test_irradiation_of_planes(self):
-        """A year at Vienna without clouds: direct, diffuse and reflected kWh/m2 by pvlib 0.16.1, in
-        steps of five minutes (solarposition, clearsky.ineichen with a solar constant of 1361 W/m2
+        """A year at Vienna without clouds, and by arrays: direct, diffuse and reflected kWh/m2 by
+        pvlib 0.16.1, in steps of five minutes (solarposition, clearsky.ineichen with a solar constant of 1361 W/m2
         by Spencer and airmass by Kasten and Young, irradiance.perez and isotropic)."""
         sine, cosine = numpy.sin(numpy.radians(35)), numpy.cos(numpy.radians(35))
         up = {"level": ((1, 0, 0), (0, 1, 0)), "tilted": ((1, 0, 0), (0, cosine, sine)),
@@ -835,23 +835,30 @@ class Sun(unittest.TestCase):
             cells.append(range(4 * i, 4 * i + 4))
             corners += [first, first + a, first + a + b, first + b]
         planes = mesh_of(corners, cells)
-        truth = {
-            ("isotropic", 0, 3): [
+        hour, day = numpy.arange(8760) % 24, numpy.arange(8760) // 24
+        by_day = (hour >= 8) & (hour < 14)
+        weather = {"dni": by_day * (300 + 200 * numpy.sin(0.1 * day)),
+                   "dhi": by_day * (80 + 40 * numpy.cos(0.3 * hour + day))}
+        truth = [
+            ({"irradiance": "isotropic"}, [
                 (1470.00, 275.82, 0), (1915.16, 250.88, 31.57), (1285.60, 137.91, 174.58),
-                (762.59, 137.91, 174.58), (56.40, 137.91, 174.58)],
-            ("perez", 1500, 2.5): [
+                (762.59, 137.91, 174.58), (56.40, 137.91, 174.58)]),
+            ({"irradiance": "perez", "altitude": 1500, "turbidity": 2.5}, [
                 (1742.80, 201.86, 0), (2297.55, 249.19, 35.17), (1581.91, 188.95, 194.47),
-                (979.26, 159.67, 194.47), (86.52, 117.99, 194.47)],
-        }  # fmt: skip
-        for (sky, altitude, turbidity), rows in truth.items():
+                (979.26, 159.67, 194.47), (86.52, 117.99, 194.47)]),
+            ({"irradiance": "perez", "weather": weather, "time_zone": 0}, [
+                (382.95, 175.08, 0), (558.55, 227.27, 10.09), (426.90, 176.64, 55.80),
+                (112.11, 101.62, 55.80), (0, 75.20, 55.80)]),
+        ]  # fmt: skip
+        for given, rows in truth:
             lit = relievo.sun_exposure(planes, 48.2, 16.4, "2026-01-01", "2026-12-31", up="z",
-                                       irradiance=sky, altitude=altitude, turbidity=turbidity)
+                                       **given)
             parts = [array(lit, f"{part}_irradiation")
                      for part in ("direct", "diffuse", "reflected")]
             total = array(lit, "irradiation")
             numpy.testing.assert_allclose(total, numpy.sum(parts, axis=0), rtol=1e-6)
             for i, plane in enumerate(up):
-                with self.subTest(sky, plane=plane):
+                with self.subTest(list(given), plane=plane):
                     for part, expected in zip(parts, rows[i]):
                         self.assertAlmostEqual(part[i], expected, delta=0.003 * sum(rows[i]))
                     self.assertLessEqual(array(lit, "irradiation_bound")[i], 0.01 * total[i])
