@@ -28,7 +28,7 @@
  * weather data (WeatherFile, SetWeather), whose values are spread over the part of their interval by
  * day. With Irradiance all arrays but sky_view come from one set of rays per position, to patches of
  * the sky that are divided until the bound is below Tolerance: a patch whose corners agree counts as
- * they do. So the bound holds for occluders and gaps wider than the first patches, 8 degrees; smaller
+ * they do. So the bound holds for occluders and gaps wider than the first patches, 9 degrees; smaller
  * ones are found where they cross a corner.
  *
  * Each step counts by the sun's position in its middle; the last step of a day may be shorter, and
