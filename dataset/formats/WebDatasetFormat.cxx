@@ -15,8 +15,8 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// Samples in tar archives, as the package webdataset reads them: each view is an archive of its own,
-// which the indices join to shards.
+// Samples in tar archives, as the package webdataset reads them: each view is an archive of its
+// own, which the indices join to shards.
 class WebDatasetFormat : public DatasetFormat
 {
 public:

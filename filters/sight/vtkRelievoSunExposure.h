@@ -17,27 +17,28 @@
  * With Irradiance, also in kWh/m2 (float):
  * - irradiation: the sum of the next three;
  * - direct_irradiation, diffuse_irradiation, reflected_irradiation: from the sun, from the sky, and
- *   from the ground, which is everything below the horizon and reflects a share (Albedo) of the light
- *   of open level ground. Reflections between surfaces are not included;
+ *   from the ground, which is everything below the horizon and reflects a share (Albedo) of the
+ *   light of open level ground. Reflections between surfaces are not included;
  * - irradiation_bound: the largest error of the sampling; sun_hours_bound: that of sun_hours.
  *
  * Field data: possible_hours (double), hours of sun on open ground; with Irradiance also
- * open_irradiation (double), kWh/m2 on open level ground. Active scalars: sun_hours, or irradiation.
+ * open_irradiation (double), kWh/m2 on open level ground. Active scalars: sun_hours, or
+ * irradiation.
  *
  * The light is that of a clear sky (P. Ineichen, R. Perez 2002, by Altitude and Turbidity), or of
- * weather data (WeatherFile, SetWeather), whose values are spread over the part of their interval by
- * day. With Irradiance all arrays but sky_view come from one set of rays per position, to patches of
- * the sky that are divided until the bound is below Tolerance: a patch whose corners agree counts as
- * they do. So the bound holds for occluders and gaps wider than the first patches, 9 degrees; smaller
- * ones are found where they cross a corner.
+ * weather data (WeatherFile, SetWeather), whose values are spread over the part of their interval
+ * by day. With Irradiance all arrays but sky_view come from one set of rays per position, to
+ * patches of the sky that are divided until the bound is below Tolerance: a patch whose corners
+ * agree counts as they do. So the bound holds for occluders and gaps wider than the first patches,
+ * 9 degrees; smaller ones are found where they cross a corner.
  *
  * Each step counts by the sun's position in its middle; the last step of a day may be shorter, and
  * of steps with a sunrise or sunset only the part by day counts. Hours are exact to about one step
  * for each time that the sun appears or disappears behind something. The sun is a point; refraction
- * is ignored (vtkRelievoSolarPosition). Normals point outwards; a surface gets no light from behind.
- * Cells, convex or not, are evaluated at their middle, or within their largest triangle if the
- * middle lies outside; vertices and lines have 0. World units are arbitrary: north is z, -z or y if
- * x, y or z points up, turned by North.
+ * is ignored (vtkRelievoSolarPosition). Normals point outwards; a surface gets no light from
+ * behind. Cells, convex or not, are evaluated at their middle, or within their largest triangle if
+ * the middle lies outside; vertices and lines have 0. World units are arbitrary: north is z, -z or
+ * y if x, y or z points up, turned by North.
  *
  * Rays are in double (vtkRelievoRayScene) and begin 1e-7 of the mesh's size in front of the
  * surface.
@@ -150,8 +151,8 @@ public:
 
   ///@{
   /**
-   * The largest error of irradiation, percent of its light from the sun and the sky, 0.1 to 20: rays
-   * are added until the bound is below, or the patches are 0.3 degrees wide. Default 1.
+   * The largest error of irradiation, percent of its light from the sun and the sky, 0.1 to 20:
+   * rays are added until the bound is below, or the patches are 0.3 degrees wide. Default 1.
    */
   vtkSetClampMacro(Tolerance, double, 0.1, 20.0);
   vtkGetMacro(Tolerance, double);
@@ -164,7 +165,9 @@ public:
   ///@}
 
   ///@{
-  /** Linke's turbidity of the clear air, 1 to 10: 2 is clear and cold, 3 usual, 5 hazy. Default 3. */
+  /**
+   * Linke's turbidity of the clear air, 1 to 10: 2 is clear and cold, 3 usual, 5 hazy. Default 3.
+   */
   vtkSetClampMacro(Turbidity, double, 1.0, 10.0);
   vtkGetMacro(Turbidity, double);
   ///@}
@@ -177,8 +180,8 @@ public:
 
   ///@{
   /**
-   * A weather file of EnergyPlus (EPW), whose hours replace the clear sky, by month and day. Default:
-   * none.
+   * A weather file of EnergyPlus (EPW), whose hours replace the clear sky, by month and day.
+   * Default: none.
    */
   void SetWeatherFile(RELIEVO_TEXT file);
   const char* GetWeatherFile() const { return this->WeatherFile.c_str(); }
@@ -186,9 +189,9 @@ public:
 
   ///@{
   /**
-   * Weather data that replace the clear sky, and the file: a table with the columns dhi (diffuse, on
-   * level ground), and dni (direct, on a plane that faces the sun) or ghi (both, on level ground),
-   * W/m2, the means of equal intervals from the first midnight to the last. Default: none.
+   * Weather data that replace the clear sky, and the file: a table with the columns dhi (diffuse,
+   * on level ground), and dni (direct, on a plane that faces the sun) or ghi (both, on level
+   * ground), W/m2, the means of equal intervals from the first midnight to the last. Default: none.
    */
   void SetWeather(vtkTable* table);
   vtkTable* GetWeather();

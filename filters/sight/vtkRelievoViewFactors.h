@@ -6,8 +6,8 @@
  *
  * Input 0: a vtkPolyData. Input 1 (optional, repeatable): data sets that hide its cells from each
  * other. Output: a vtkTable with a row for each pair of groups:
- * - from, to (int): the numbers of the groups; `to` is also -1, nothing, and -2, other surfaces: the
- *   occluders, cells without a group, and the backs of cells;
+ * - from, to (int): the numbers of the groups; `to` is also -1, nothing, and -2, other surfaces:
+ *   the occluders, cells without a group, and the backs of cells;
  * - factor (double): the share of the light of uniformly radiating cells of `from` that arrives at
  *   `to`, 0 to 1;
  * - bound (double): the factor's error is smaller with a confidence of 99.9 %;
@@ -17,8 +17,8 @@
  * of all its factors are below Tolerance. Bounds are half widths of Wilson's interval of the share
  * of rays (E. B. Wilson 1927). The factors of a group add up to 1 with those to -1 and -2. Each
  * direction of a pair has rays of its own, so that reciprocity, area times factor, holds within the
- * bounds. Cells count from their fronts, where normals by the order of their points show. Rays begin
- * 1e-7 of the mesh's size in front of the surface. Equal seeds give equal factors.
+ * bounds. Cells count from their fronts, where normals by the order of their points show. Rays
+ * begin 1e-7 of the mesh's size in front of the surface. Equal seeds give equal factors.
  *
  * Errors: no cell array of this name with one component of whole numbers; no group.
  */

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Published models of sunlight: what arrives without clouds, and how the diffuse part is spread over
-// the sky.
+// Published models of sunlight: what arrives without clouds, and how the diffuse part is spread
+// over the sky.
 #ifndef vtkRelievoSkyModel_h
 #define vtkRelievoSkyModel_h
 
@@ -21,8 +21,8 @@ struct Sunlight
 // elevation (F. Kasten, A. T. Young 1989).
 VTKRELIEVOFILTERS_EXPORT double GetAirMass(double sine);
 
-// Watts per square metre outside of the atmosphere on a day of the year, from 1 (J. W. Spencer 1971,
-// with a mean of 1361).
+// Watts per square metre outside of the atmosphere on a day of the year, from 1 (J. W. Spencer
+// 1971, with a mean of 1361).
 VTKRELIEVOFILTERS_EXPORT double GetExtraterrestrial(int dayOfYear);
 
 // A sky without clouds (P. Ineichen, R. Perez, A new airmass independent formulation for the Linke

@@ -20,8 +20,8 @@ public:
   // Reads the hours of a weather file of EnergyPlus (EPW). Returns an error, or "".
   std::string Read(const std::string& file);
 
-  // Takes the columns `dhi` (diffuse, on level ground), and `dni` (direct, on a plane that faces the
-  // sun) or `ghi` (both, on level ground), in W/m2: a whole number of rows for each day.
+  // Takes the columns `dhi` (diffuse, on level ground), and `dni` (direct, on a plane that faces
+  // the sun) or `ghi` (both, on level ground), in W/m2: a whole number of rows for each day.
   // Returns an error, or "".
   std::string Take(vtkTable* table, long days);
 

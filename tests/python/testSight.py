@@ -823,8 +823,9 @@ class Sun(unittest.TestCase):
 
     def test_irradiation_of_planes(self):
         """A year at Vienna without clouds, and by arrays: direct, diffuse and reflected kWh/m2 by
-        pvlib 0.16.1, in steps of five minutes (solarposition, clearsky.ineichen with a solar constant of 1361 W/m2
-        by Spencer and airmass by Kasten and Young, irradiance.perez and isotropic)."""
+        pvlib 0.16.1, in steps of five minutes (solarposition, clearsky.ineichen with a solar
+        constant of 1361 W/m2 by Spencer and airmass by Kasten and Young, irradiance.perez and
+        isotropic)."""
         sine, cosine = numpy.sin(numpy.radians(35)), numpy.cos(numpy.radians(35))
         up = {"level": ((1, 0, 0), (0, 1, 0)), "tilted": ((1, 0, 0), (0, cosine, sine)),
               "south": ((1, 0, 0), (0, 0, 1)), "east": ((0, 1, 0), (0, 0, 1)),

@@ -97,8 +97,8 @@ def visible(thing, cameras, occluders=(), size=None, cloud=False) -> vtkPolyData
         of_actors = relievo.visible(renderer, sensors)
 
     thing: a dataset or a filter that makes one; data other than polygons count by their outer
-        surface; or Rays of a mesh and its occluders. Or a scene as for rays(): a renderer, a plotter, an actor, or a list of data or
-        actors.
+        surface; or Rays of a mesh and its occluders. Or a scene as for rays(): a renderer, a
+        plotter, an actor, or a list of data or actors.
     cameras: CameraModels (Pinhole, Fisheye, ...), or vtkCameras, renderers and plotters with
         pictures of `size` (columns, rows); one or a list.
     occluders: other data that occludes it, one or a list.
@@ -589,15 +589,16 @@ def _give(filter_, mesh, occluders):
 def _give_rays(filter_, scene, occluders):
     """The data of rays(): the first is the mesh, the others hide it."""
     if scene.scene.GetRenderer() is not None or scene.has_matrices:
-        raise ValueError("mesh: got Rays of a renderer, of actors or of data with matrices, expected "
-                         "those of data")
+        raise ValueError("mesh: got Rays of a renderer, of actors or of data with matrices, "
+                         "expected those of data")
     if not scene.props or None in scene.props:
         raise ValueError("mesh: got Rays of a file alone, which has no cells, expected "
                          "relievo.rays(file, mesh)")
     if not is_a(scene.props[0], "vtkPolyData"):
         raise ValueError(f"mesh: got Rays of {describe(scene.props[0])}, expected vtkPolyData")
     if _listed(occluders):
-        raise ValueError("occluders: got some beside Rays, whose data after the first hide the mesh")
+        raise ValueError("occluders: got some beside Rays, whose data after the first hide the "
+                         "mesh")
     filter_.SetInputDataObject(0, scene.props[0])
     for each in scene.props[1:]:
         filter_.AddInputDataObject(1, each)
