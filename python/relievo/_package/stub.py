@@ -54,7 +54,9 @@ _PARAMETERS = {
     "files": _PATH,
     "first": "datetime.date | str",
     "frame": "Any",
+    "groups": "ArrayLike | str",
     "image": "Any",  # also PyVista's
+    "irradiance": "bool | str",  # off
     "last": "datetime.date | str | None",
     "latitude": "float",
     "layers": "str | Sequence[str]",
