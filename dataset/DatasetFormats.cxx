@@ -61,14 +61,23 @@ Json DescribePose(vtkMatrix4x4* matrix, vtkRelievoCameraModel* camera)
   return { { "R", all }, { "t", place } };
 }
 
-std::vector<unsigned short> GetDepthSteps(const DatasetView& view, double step)
+// Stores doubles converted from floats or integers in their original type.
+template <typename T>
+void AddLayer(
+  NumpyArchive& archive, const DatasetView& view, const std::string& name, const std::string& type)
 {
   int components = 0;
-  const std::vector<double> depth = view.GetLayer("depth", components);
-  std::vector<unsigned short> steps(depth.size());
-  std::transform(depth.begin(), depth.end(), steps.begin(),
-    [step](double value) { return GetSteps(value, step); });
-  return steps;
+  const std::vector<double> values = view.GetLayer(name, components);
+  std::vector<T> exact(values.size());
+  std::transform(values.begin(), values.end(), exact.begin(),
+    [](double value) { return static_cast<T>(value); });
+  std::vector<std::size_t> shape = { static_cast<std::size_t>(view.Rows),
+    static_cast<std::size_t>(view.Columns) };
+  if (components > 1)
+  {
+    shape.push_back(static_cast<std::size_t>(components));
+  }
+  archive.Add(name, type, shape, exact.data(), exact.size() * sizeof(T));
 }
 
 //------------------------------------------------------------------------------
@@ -94,6 +103,31 @@ void WriteLayers(const DatasetStyle& style, const DatasetView& view, const std::
     return writer->GetErrorCode() == 0;
   });
 }
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned short> GetDepthSteps(const DatasetView& view, double step)
+{
+  int components = 0;
+  const std::vector<double> depth = view.GetLayer("depth", components);
+  std::vector<unsigned short> steps(depth.size());
+  std::transform(depth.begin(), depth.end(), steps.begin(),
+    [step](double value) { return GetSteps(value, step); });
+  return steps;
+}
+
+//------------------------------------------------------------------------------
+void AddDatasetLayer(NumpyArchive& archive, const DatasetView& view, const std::string& name)
+{
+  switch (view.Layers->GetPointData()->GetArray(name.c_str())->GetDataType())
+  {
+    case VTK_FLOAT:
+      return AddLayer<float>(archive, view, name, "<f4");
+    case VTK_DOUBLE:
+      return AddLayer<double>(archive, view, name, "<f8");
+    default:
+      return AddLayer<std::int64_t>(archive, view, name, "<i8");
+  }
 }
 
 //------------------------------------------------------------------------------

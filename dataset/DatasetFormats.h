@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -24,8 +25,10 @@ namespace dataset
 {
 class DatasetFormat;
 class DatasetObjects;
+class NumpyArchive;
 struct DatasetView;
 
+constexpr double BytesOfMegabyte = 1e6;
 constexpr double MostDepthSteps = 65535.0; ///< the largest 16-bit depth
 
 struct DatasetStyle
@@ -36,6 +39,7 @@ struct DatasetStyle
   double MillimetersPerUnit = 1000.0;
   std::vector<std::string> Layers; ///< requested layers
   double Validation = 0.0;         ///< share of the views for validation
+  double ShardBytes = 0.0;         ///< of an archive of several views, at most
 
   /// Whether a view is for validation: these views are spread evenly.
   bool IsValidation(std::size_t view) const;
@@ -60,6 +64,14 @@ struct DatasetStyle
 private:
   std::vector<std::string> Categories;
   std::vector<std::size_t> CategoryOf; // each object
+};
+
+/// An archive of several views: its name, the archives that it joins, and its size.
+struct DatasetArchive
+{
+  std::string Name;
+  std::vector<std::string> Files;
+  std::uint64_t Bytes = 0;
 };
 
 /// A format: its requirements for views, and the files of a view and of all views. Each is in a
@@ -114,6 +126,13 @@ public:
     return {};
   }
 
+  /// The archives of these complete records, which are written before the indices.
+  virtual std::vector<DatasetArchive> GetArchives(
+    const DatasetStyle&, const std::vector<Json>&) const
+  {
+    return {};
+  }
+
   /// Writes the meshes to which poses refer. Throws FileError.
   virtual void WriteModels(const DatasetStyle&, vtkRenderer*, const DatasetObjects&) const {}
 };
@@ -127,6 +146,13 @@ const std::vector<std::unique_ptr<DatasetFormat>>& GetDatasetFormats();
 
 /// Whether the entry is a list of `count` numbers.
 bool IsNumbers(const nlohmann::ordered_json& json, const char* name, std::size_t count);
+
+/// Depth from the top in whole steps; 0: no depth, beyond the last step, or behind the camera's
+/// plane.
+std::vector<unsigned short> GetDepthSteps(const DatasetView& view, double step);
+
+/// Adds a layer in its original type, from the top.
+void AddDatasetLayer(NumpyArchive& archive, const DatasetView& view, const std::string& name);
 
 /// Writes the picture, the depth and the layers to their folders in the data set.
 void WriteDatasetPictures(const DatasetStyle& style, const DatasetView& view,

@@ -5,9 +5,11 @@
 #include "DatasetFiles.h"
 #include "Errors.h"
 #include "FileHash.h"
+#include "TarArchive.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 
 namespace fs = std::filesystem;
@@ -26,6 +28,16 @@ struct Dataset
   std::vector<Json> Records;
   WorkState State;
 };
+
+std::vector<std::string> GetPaths(const DatasetStyle& style, const DatasetArchive& archive)
+{
+  std::vector<std::string> paths;
+  for (const std::string& file : archive.Files)
+  {
+    paths.push_back(style.Folder + "/" + file);
+  }
+  return paths;
+}
 
 template <typename Is>
 const Json& Need(const Json& settings, const std::string& path, const char* name, const Is& is)
@@ -73,6 +85,11 @@ Dataset ReadDataset(const std::string& folder, WorkCheck check)
   if (settings.contains("validation"))
   {
     set.Style.Validation = Need(settings, path, "validation", isNumber);
+  }
+  if (settings.contains("shard_size"))
+  {
+    set.Style.ShardBytes =
+      BytesOfMegabyte * Need(settings, path, "shard_size", isNumber).get<double>();
   }
   set.State.Items = "views";
   set.State.All = Need(settings, path, "views", [](const Json& json) {
@@ -123,6 +140,17 @@ std::string GetDatasetRecord(const std::string& folder, std::size_t view)
 void WriteDatasetIndex(const DatasetStyle& style, const std::vector<std::string>& objects,
   const std::vector<Json>& records)
 {
+  for (const DatasetArchive& archive : style.Format->GetArchives(style, records))
+  {
+    WriteWhole(style.Folder + "/" + archive.Name, [&](const std::string& name) {
+      std::ofstream out(name, std::ios::binary);
+      JoinTars(GetPaths(style, archive), [&out](const std::string& bytes) {
+        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+      });
+      out.close();
+      return out.good();
+    });
+  }
   for (const auto& [name, content] : style.Format->MakeIndex(style, objects, records))
   {
     WriteWhole(style.Folder + "/" + name, content);
@@ -138,18 +166,32 @@ WorkState VerifyDataset(const std::string& folder, WorkCheck check)
   {
     return state;
   }
-  for (const auto& [name, content] :
-    set.Style.Format->MakeIndex(set.Style, set.Objects, set.Records))
-  {
+  const auto compare = [&](const std::string& name, const auto& hash) {
     std::error_code trouble;
     const std::string path = folder + "/" + name;
     const bool exists = fs::exists(path, trouble);
-    const bool isRight = exists && FileHash::OfFile(path) == FileHash::Of(content);
-    if (!isRight && state.Result.empty())
+    if (state.Result.empty() && !(exists && FileHash::OfFile(path) == hash()))
     {
       state.Result = name + (exists ? " is not that of these views" : " is missing") +
         ": relievo merge " + folder + " writes the indices";
     }
+  };
+  if (state.IsWhole())
+  {
+    for (const DatasetArchive& archive : set.Style.Format->GetArchives(set.Style, set.Records))
+    {
+      compare(archive.Name, [&] {
+        FileHash joined;
+        JoinTars(GetPaths(set.Style, archive),
+          [&joined](const std::string& bytes) { joined.Add(bytes.data(), bytes.size()); });
+        return joined.Finish();
+      });
+    }
+  }
+  for (const auto& [name, content] :
+    set.Style.Format->MakeIndex(set.Style, set.Objects, set.Records))
+  {
+    compare(name, [&bytes = content] { return FileHash::Of(bytes); });
   }
   return state;
 }

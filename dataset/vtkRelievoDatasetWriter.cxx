@@ -138,6 +138,9 @@ vtkRelievoDatasetWriter::vtkRelievoDatasetWriter()
   list.AddNumber(
     "validation", this->Validation, [this](double share) { this->SetValidation(share); }, 0.0, 1.0,
     "", "For coco, nerf, yolo and kitti: share of the views for validation, spread evenly.");
+  list.AddNumber(
+    "shard_size", this->ShardSize, [this](double megabytes) { this->SetShardSize(megabytes); },
+    0.001, 1e6, "megabytes", "For webdataset: the largest size of an archive of several views.");
   list.AddWhole(
     "seed", this->Seed, [this](int seed) { this->SetSeed(seed); }, least, most, "",
     "Seed of random poses and suns.");
@@ -569,6 +572,7 @@ void vtkRelievoDatasetWriter::WriteViews()
   const std::vector<std::string> categories = self.GetCategories(names);
   style.SetCategories(categories);
   style.Validation = this->Validation;
+  style.ShardBytes = dataset::BytesOfMegabyte * this->ShardSize;
   int validation = 0;
   for (int view = 0; view < views; ++view)
   {
@@ -583,10 +587,10 @@ void vtkRelievoDatasetWriter::WriteViews()
   const std::string settings = dataset::OpenWorkFolder(self.Directory, dataset::DatasetSettings,
     { { "version", RELIEVO_VERSION }, { "format", format.Name }, { "views", views },
       { "objects", names }, { "categories", categories }, { "validation", style.Validation },
-      { "layers", self.Layers }, { "depth_step", style.DepthStep },
-      { "mm_per_unit", this->MillimetersPerUnit }, { "random_sun", this->RandomSun },
-      { "seed", this->Seed }, { "up_axis", std::string(1, "xyz"[this->UpAxis]) },
-      { "scene", self.Description } });
+      { "shard_size", this->ShardSize }, { "layers", self.Layers },
+      { "depth_step", style.DepthStep }, { "mm_per_unit", this->MillimetersPerUnit },
+      { "random_sun", this->RandomSun }, { "seed", this->Seed },
+      { "up_axis", std::string(1, "xyz"[this->UpAxis]) }, { "scene", self.Description } });
   if (isPart)
   {
     const auto share = part.GetRange(views);

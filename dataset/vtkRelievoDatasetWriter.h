@@ -62,14 +62,15 @@ public:
 
   enum Formats
   {
-    BOP = 0,  ///< a scene of the Benchmark for 6D Object Pose Estimation, with the models to which
-              ///< its poses refer; visible fractions are relative to silhouettes up to a picture's
-              ///< size beyond the picture
-    COCO = 1, ///< instances.json, with run-length masks
-    NERF = 2, ///< transforms.json
-    NPZ = 3,  ///< arrays that numpy.load() reads
-    YOLO = 4, ///< boxes as lines of text for Ultralytics' detectors, and data.yaml
-    KITTI = 5 ///< boxes as lines of text as in KITTI's object benchmark
+    BOP = 0,   ///< a scene of the Benchmark for 6D Object Pose Estimation, with the models to which
+               ///< its poses refer; visible fractions are relative to silhouettes up to a picture's
+               ///< size beyond the picture
+    COCO = 1,  ///< instances.json, with run-length masks
+    NERF = 2,  ///< transforms.json
+    NPZ = 3,   ///< arrays that numpy.load() reads
+    YOLO = 4,  ///< boxes as lines of text for Ultralytics' detectors, and data.yaml
+    KITTI = 5, ///< boxes as lines of text as in KITTI's object benchmark
+    WEBDATASET = 6 ///< tar archives of samples for the package webdataset, and index.json
   };
   ///@{
   /** The data set's format. Default BOP. The parameter `format` accepts further formats by name. */
@@ -134,6 +135,15 @@ public:
    */
   vtkSetClampMacro(Validation, double, 0.0, 1.0);
   vtkGetMacro(Validation, double);
+  ///@}
+
+  ///@{
+  /**
+   * The largest size of an archive of several views, megabytes, 0.001 to 1e6, for the format
+   * WEBDATASET; a larger view has an archive of its own. Default 256.
+   */
+  vtkSetClampMacro(ShardSize, double, 0.001, 1e6);
+  vtkGetMacro(ShardSize, double);
   ///@}
 
   ///@{
@@ -251,6 +261,7 @@ private:
   double DepthStep = 0.0;
   double MillimetersPerUnit = 1000.0;
   double Validation = 0.0;
+  double ShardSize = 256.0;
   bool RandomSun = false;
   int Seed = 0;
   int UpAxis = 1;

@@ -20,38 +20,6 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// Stores doubles converted from floats or integers in their original type.
-template <typename T>
-void AddLayer(
-  NumpyArchive& archive, const DatasetView& view, const std::string& name, const std::string& type)
-{
-  int components = 0;
-  const std::vector<double> values = view.GetLayer(name, components);
-  std::vector<T> exact(values.size());
-  std::transform(values.begin(), values.end(), exact.begin(),
-    [](double value) { return static_cast<T>(value); });
-  std::vector<std::size_t> shape = { static_cast<std::size_t>(view.Rows),
-    static_cast<std::size_t>(view.Columns) };
-  if (components > 1)
-  {
-    shape.push_back(static_cast<std::size_t>(components));
-  }
-  archive.Add(name, type, shape, exact.data(), exact.size() * sizeof(T));
-}
-
-void AddLayer(NumpyArchive& archive, const DatasetView& view, const std::string& name)
-{
-  switch (view.Layers->GetPointData()->GetArray(name.c_str())->GetDataType())
-  {
-    case VTK_FLOAT:
-      return AddLayer<float>(archive, view, name, "<f4");
-    case VTK_DOUBLE:
-      return AddLayer<double>(archive, view, name, "<f8");
-    default:
-      return AddLayer<std::int64_t>(archive, view, name, "<i8");
-  }
-}
-
 // All data of a view as arrays that numpy.load() reads.
 class NpzFormat : public DatasetFormat
 {
@@ -86,12 +54,12 @@ public:
     {
       archive.Add("color", "|u1", { rows, columns, 3 }, view.Picture.data(), view.Picture.size());
     }
-    AddLayer(archive, view, "depth");
+    AddDatasetLayer(archive, view, "depth");
     for (const std::string& layer : style.Layers)
     {
       if (layer != "depth")
       {
-        AddLayer(archive, view, layer);
+        AddDatasetLayer(archive, view, layer);
       }
     }
     std::vector<std::int32_t> ids(view.Objects.begin(), view.Objects.end());

@@ -275,14 +275,6 @@ void AddCounts(vtkPolyData* mesh, const char* name, const std::vector<int>& coun
   std::copy(counts.begin(), counts.end(), array->GetPointer(0));
   mesh->GetCellData()->AddArray(array);
 }
-
-void AddField(vtkPolyData* mesh, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  mesh->GetFieldData()->AddArray(array);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -407,7 +399,11 @@ int vtkRelievoCover::RequestData(
     all += weights[cell] * this->Times;
   }
 
-  const vtkSmartPointer<vtkRelievoRayScene> scene = MakeScene(inputs);
+  const vtkSmartPointer<vtkRelievoRayScene> scene = this->MakeScene(inputs);
+  if (!scene)
+  {
+    return 1;
+  }
   scene->Update();
   Limits limits;
   limits.Farthest = this->FarthestDistance;

@@ -3,16 +3,49 @@
 #include "vtkRelievoSightAlgorithm.h"
 
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoRayScene.h"
 #include "vtkRelievoShare.h"
+
+#include <algorithm>
+#include <vector>
 
 //------------------------------------------------------------------------------
 vtkRelievoSightAlgorithm::vtkRelievoSightAlgorithm()
 {
   this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSightAlgorithm::~vtkRelievoSightAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoSightAlgorithm::SetScene(vtkRelievoRayScene* scene)
+{
+  if (scene != this->Scene)
+  {
+    this->Scene = scene;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoRayScene* vtkRelievoSightAlgorithm::GetScene()
+{
+  return this->Scene;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoSightAlgorithm::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Scene ? std::max(own, this->Scene->GetMTime()) : own;
 }
 
 //------------------------------------------------------------------------------
@@ -57,13 +90,43 @@ int vtkRelievoSightAlgorithm::FillInputPortInformation(int port, vtkInformation*
 vtkSmartPointer<vtkRelievoRayScene> vtkRelievoSightAlgorithm::MakeScene(
   vtkInformationVector** inputs)
 {
-  auto scene = vtkSmartPointer<vtkRelievoRayScene>::New();
-  scene->AddData(vtkPolyData::GetData(inputs[0]));
+  std::vector<vtkDataSet*> meshes = { vtkPolyData::GetData(inputs[0]) };
   for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
   {
-    scene->AddData(vtkDataSet::GetData(inputs[1], i));
+    meshes.push_back(vtkDataSet::GetData(inputs[1], i));
   }
-  return scene;
+  if (!this->Scene)
+  {
+    auto scene = vtkSmartPointer<vtkRelievoRayScene>::New();
+    for (vtkDataSet* mesh : meshes)
+    {
+      scene->AddData(mesh);
+    }
+    return scene;
+  }
+  bool isTheirs = this->Scene->GetNumberOfProps() == static_cast<int>(meshes.size());
+  for (std::size_t i = 0; i < meshes.size() && isTheirs; ++i)
+  {
+    isTheirs = this->Scene->GetPropData(static_cast<int>(i)) == meshes[i];
+  }
+  if (!isTheirs)
+  {
+    vtkErrorMacro("The scene for the rays has other data, expected the mesh and its "
+      << meshes.size() - 1 << " occluders in their order.");
+    return nullptr;
+  }
+  this->Scene->SetMinimumDistance(0.0); // not those of the last query
+  this->Scene->SetMaximumDistance(vtkMath::Inf());
+  return this->Scene;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSightAlgorithm::AddField(vtkPolyData* mesh, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  mesh->GetFieldData()->AddArray(array);
 }
 
 //------------------------------------------------------------------------------

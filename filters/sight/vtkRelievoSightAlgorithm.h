@@ -36,25 +36,40 @@ public:
   vtkGetMacro(NumberOfParts, int);
   ///@}
 
+  ///@{
+  /**
+   * A scene for the rays, whose data are the mesh and then the occluders, such as one that has read
+   * its trees from a file. Default: none, a scene is made for each update.
+   */
+  void SetScene(vtkRelievoRayScene* scene);
+  vtkRelievoRayScene* GetScene();
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
   /** Removes all occluders (input 1). */
   void RemoveOccluders() { this->SetInputConnection(1, nullptr); }
 
 protected:
   vtkRelievoSightAlgorithm();
-  ~vtkRelievoSightAlgorithm() override = default;
+  ~vtkRelievoSightAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
-  // The mesh, as prop 0, and its occluders.
-  static vtkSmartPointer<vtkRelievoRayScene> MakeScene(vtkInformationVector** inputs);
+  // The mesh, as prop 0, and its occluders. nullptr, with an error, if SetScene has other data.
+  vtkSmartPointer<vtkRelievoRayScene> MakeScene(vtkInformationVector** inputs);
 
   // The share of so many cells or points: the first, and the one after the last.
   std::array<std::size_t, 2> GetShare(std::size_t all) const;
+
+  // Adds a number to the field data.
+  static void AddField(vtkPolyData* mesh, const char* name, double value);
 
 private:
   vtkRelievoSightAlgorithm(const vtkRelievoSightAlgorithm&) = delete;
   void operator=(const vtkRelievoSightAlgorithm&) = delete;
 
+  vtkSmartPointer<vtkRelievoRayScene> Scene;
   int Part = 1;
   int NumberOfParts = 1;
 };

@@ -14,15 +14,24 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoAbort.h"
 #include "vtkRelievoRayScene.h"
+#include "vtkRelievoSkyModel.h"
+#include "vtkRelievoSkyPatches.h"
 #include "vtkRelievoSkySamples.h"
 #include "vtkRelievoSkyTurn.h"
 #include "vtkRelievoSolarPosition.h"
 #include "vtkRelievoSurfacePlaces.h"
+#include "vtkRelievoThreads.h"
+#include "vtkRelievoWeather.h"
+#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <locale>
+#include <sstream>
 
 vtkStandardNewMacro(vtkRelievoSunExposure);
 
@@ -42,6 +51,87 @@ long CountDays(const int date[3])
   const long inCycle = year - 400 * cycle;
   const long day = (153 * month + 2) / 5 + date[2] - 1;
   return 146097 * cycle + 365 * inCycle + inCycle / 4 - inCycle / 100 + day - 719468;
+}
+
+// The date of so many days since 1970-01-01.
+std::array<int, 3> GetDate(long days)
+{
+  const long shifted = days + 719468;
+  const long cycle = (shifted >= 0 ? shifted : shifted - 146096) / 146097;
+  const long inCycle = shifted - 146097 * cycle;
+  const long year = (inCycle - inCycle / 1460 + inCycle / 36524 - inCycle / 146096) / 365;
+  const long day = inCycle - (365 * year + year / 4 - year / 100);
+  const long month = (5 * day + 2) / 153;
+  return { static_cast<int>(year + 400 * cycle + (month < 10 ? 0 : 1)),
+    static_cast<int>(month < 10 ? month + 3 : month - 9),
+    static_cast<int>(day - (153 * month + 2) / 5 + 1) };
+}
+
+// The sun of a place by the clock, whose hours are counted from the first midnight.
+class SunClock
+{
+public:
+  SunClock(const int first[3], double latitude, double longitude, double timeZone)
+  {
+    this->Sun->SetLatitude(latitude);
+    this->Sun->SetLongitude(longitude);
+    this->Sun->SetTimeZone(timeZone);
+    this->Sun->SetDate(first[0], first[1], first[2]);
+  }
+
+  // East, north, up.
+  Vector GetDirection(double hour) const
+  {
+    Vector local;
+    this->Sun->SetHour(hour);
+    this->Sun->GetDirection(local.data());
+    return local;
+  }
+
+  // The parts of an interval in which the sun is above a height, whose sine is given. In each half
+  // of the interval it crosses the height at most once.
+  std::vector<std::array<double, 2>> GetParts(double begin, double end, double sine) const
+  {
+    const auto isUp = [this, sine](double hour) { return this->GetDirection(hour)[2] > sine; };
+    const auto findHorizon = [&isUp](double before, double after) {
+      const bool rises = isUp(after);
+      for (int i = 0; i < 32; ++i) // to a microsecond
+      {
+        const double middle = 0.5 * (before + after);
+        (isUp(middle) == rises ? after : before) = middle;
+      }
+      return after;
+    };
+    std::vector<std::array<double, 2>> parts;
+    const double times[] = { begin, 0.5 * (begin + end), end };
+    for (int half = 0; half < 2; ++half)
+    {
+      const double from = times[half];
+      const double to = times[half + 1];
+      const bool up[2] = { isUp(from), isUp(to) };
+      if (up[0] && !parts.empty())
+      {
+        parts.back()[1] = up[1] ? to : findHorizon(from, to);
+      }
+      else if (up[0] || up[1])
+      {
+        parts.push_back(
+          { up[0] ? from : findHorizon(from, to), up[1] ? to : findHorizon(from, to) });
+      }
+    }
+    return parts;
+  }
+
+private:
+  vtkNew<vtkRelievoSolarPosition> Sun;
+};
+
+// East, north and up in the world, in columns.
+glm::dmat3 GetWorld(int upAxis)
+{
+  return upAxis == 0 ? glm::dmat3(0, 1, 0, 0, 0, 1, 1, 0, 0)
+    : upAxis == 1    ? glm::dmat3(1, 0, 0, 0, 0, -1, 0, 1, 0)
+                     : glm::dmat3(1.0);
 }
 
 // Finds the positions with free sight in a direction: those that face it, by rays.
@@ -141,6 +231,97 @@ vtkRelievoSunExposure::vtkRelievoSunExposure()
   list.AddWhole(
     "sky_samples", this->SkySamples, [this](int rays) { this->SetSkySamples(rays); }, 0, 65536, "",
     "Rays per place for the array sky_view, the visible share of the sky; 0: none.");
+  list.AddNumber(
+    "begin_hour", this->BeginHour, [this](double hour) { this->SetBeginHour(hour); }, 0.0, 24.0,
+    "hours", "Only the sun after this time of day counts.");
+  list.AddNumber(
+    "end_hour", this->EndHour, [this](double hour) { this->SetEndHour(hour); }, 0.0, 24.0, "hours",
+    "Only the sun before this time of day counts.");
+  list.AddNumber(
+    "minimum_elevation", this->MinimumElevation,
+    [this](double degrees) { this->SetMinimumElevation(degrees); }, 0.0, 90.0, "degrees",
+    "Only a sun above this height counts.");
+  list.AddText(
+    "time_zone", [this] { return this->TimeZone; },
+    [this](const std::string& hours) { this->SetTimeZone(hours.c_str()); },
+    "Hours by which the clock is ahead of UTC, -12 to 14; empty: those of the weather file, or "
+    "local "
+    "mean time.");
+  list
+    .AddNumber(
+      "north", this->North, [this](double degrees) { this->SetNorth(degrees); }, -360.0, 360.0,
+      "degrees", "Turns north, clockwise from above.")
+    .Usual = 180.0;
+  list.AddChoice(
+    "irradiance", this->Irradiance, [this](int sky) { this->SetIrradiance(sky); },
+    { "off", "isotropic", "perez" },
+    "The sky of which the irradiation is computed, in kWh/m2: a uniform one, or by Perez et al. "
+    "(1990).");
+  const auto lit = [](vtkRelievoParameter& parameter) { parameter.OnlyIf = "irradiance!=off"; };
+  lit(list.AddNumber(
+    "tolerance", this->Tolerance, [this](double percent) { this->SetTolerance(percent); }, 0.1,
+    20.0, "percent", "Rays are added until the error of the irradiation is below."));
+  lit(list.AddNumber(
+    "albedo", this->Albedo, [this](double share) { this->SetAlbedo(share); }, 0.0, 1.0, "",
+    "Share of light that the ground reflects."));
+  lit(list.AddNumber(
+    "turbidity", this->Turbidity, [this](double turbidity) { this->SetTurbidity(turbidity); }, 1.0,
+    10.0, "", "Linke's turbidity of the clear sky: 2 in clear, 3 in usual, 5 in hazy air."));
+  lit(list.AddNumber(
+    "altitude", this->Altitude, [this](double metres) { this->SetAltitude(metres); }, -500.0,
+    9000.0, "metres", "Height above the sea, for the clear sky."));
+  lit(list.AddText(
+    "weather_file", [this] { return this->WeatherFile; },
+    [this](const std::string& file) { this->SetWeatherFile(file.c_str()); },
+    "A weather file of EnergyPlus (EPW), whose hours replace the clear sky."));
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSunExposure::~vtkRelievoSunExposure() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoSunExposure::SetTimeZone(RELIEVO_TEXT hours)
+{
+  const std::string text = hours;
+  if (text != this->TimeZone)
+  {
+    this->TimeZone = text;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSunExposure::SetWeatherFile(RELIEVO_TEXT file)
+{
+  const std::string text = file;
+  if (text != this->WeatherFile)
+  {
+    this->WeatherFile = text;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSunExposure::SetWeather(vtkTable* table)
+{
+  if (table != this->Weather)
+  {
+    this->Weather = table;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkRelievoSunExposure::GetWeather()
+{
+  return this->Weather;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoSunExposure::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Weather ? std::max(own, this->Weather->GetMTime()) : own;
 }
 
 //------------------------------------------------------------------------------
@@ -163,78 +344,307 @@ std::string vtkRelievoSunExposure::CheckDays(const int first[3], const int last[
 //------------------------------------------------------------------------------
 struct vtkRelievoSunExposure::Sun
 {
-  Vector Direction;
+  glm::dvec3 Local; // east, north, up of the turned north
+  Vector Direction; // in the world
   double Hours;
+  double Extraterrestrial;
+  relievo::Sunlight Light;
 };
 
 //------------------------------------------------------------------------------
-// The sun in the middle of each step by day, or of the part of a step in which the sun is up, in
-// world coordinates.
-std::vector<vtkRelievoSunExposure::Sun> vtkRelievoSunExposure::GetSuns() const
+// The sun in the middle of each step by day, or of the part of a step in which the sun is up.
+// Returns an error, or "".
+std::string vtkRelievoSunExposure::GetSuns(std::vector<Sun>& suns) const
 {
-  vtkNew<vtkRelievoSolarPosition> sun;
-  sun->SetLatitude(this->Latitude);
-  sun->SetLongitude(this->Longitude);
-  sun->SetTimeZone(this->Longitude / 15.0);
-  sun->SetDate(this->FirstDay[0], this->FirstDay[1], this->FirstDay[2]);
-  const double length = this->Step / 60.0;
-  const auto steps = static_cast<int>(std::ceil(HoursOfDay / length - 1e-9));
-  const auto getDirection = [&sun](double hour) {
-    Vector local; // east, north, up
-    sun->SetHour(hour);
-    sun->GetDirection(local.data());
-    return local;
-  };
-  const auto isUp = [&getDirection](double hour) { return getDirection(hour)[2] > 0.0; };
-  // The time of sunrise or sunset between two times.
-  const auto findHorizon = [&isUp](double before, double after) {
-    const bool rises = isUp(after);
-    for (int i = 0; i < 32; ++i) // to a microsecond
+  const std::string wrong = CheckDays(this->FirstDay, this->LastDay);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  std::ostringstream text;
+  if (!(this->BeginHour < this->EndHour))
+  {
+    text << "got the hours " << this->BeginHour << " to " << this->EndHour
+         << ", expected an end after the beginning";
+    return text.str();
+  }
+  const long firstDay = CountDays(this->FirstDay);
+  const long days = CountDays(this->LastDay) - firstDay + 1;
+  vtkRelievoWeather weather;
+  if (this->Irradiance != 0)
+  {
+    const std::string error = this->Weather ? weather.Take(this->Weather, days)
+      : this->WeatherFile.empty()           ? ""
+                                            : weather.Read(this->WeatherFile);
+    if (!error.empty())
     {
-      const double middle = 0.5 * (before + after);
-      (isUp(middle) == rises ? after : before) = middle;
+      return error;
     }
-    return after;
+  }
+  double timeZone = weather.HasTimeZone() ? weather.GetTimeZone() : this->Longitude / 15.0;
+  if (!this->TimeZone.empty())
+  {
+    std::istringstream in(this->TimeZone);
+    in.imbue(std::locale::classic());
+    if (!(in >> timeZone) || !(in >> std::ws).eof() || !(timeZone >= -12.0 && timeZone <= 14.0))
+    {
+      return "got the time zone '" + this->TimeZone + "', expected hours from -12 to 14";
+    }
+  }
+  const SunClock clock(this->FirstDay, this->Latitude, this->Longitude, timeZone);
+  const double least = this->MinimumElevation > 0.0
+    ? std::sin(vtkMath::RadiansFromDegrees(this->MinimumElevation))
+    : 0.0;
+  const double turn = vtkMath::RadiansFromDegrees(this->North);
+  const glm::dmat3 world = GetWorld(this->UpAxis);
+  const double length = this->Step / 60.0;
+  const auto countSteps = [length](double hours) {
+    return static_cast<int>(std::ceil(hours / length - 1e-9));
   };
-  const long days = CountDays(this->LastDay) - CountDays(this->FirstDay) + 1;
-  std::vector<Sun> suns;
+  const auto addParts = [&](double begin, double end, double counted, Sun sun) {
+    for (const auto& [from, to] : clock.GetParts(begin, end, least))
+    {
+      const Vector local = clock.GetDirection(0.5 * (from + to));
+      sun.Local = this->North == 0.0
+        ? glm::dvec3(local[0], local[1], local[2])
+        : glm::dvec3(local[0] * std::cos(turn) + local[1] * std::sin(turn),
+            local[1] * std::cos(turn) - local[0] * std::sin(turn), local[2]);
+      const glm::dvec3 direction = world * sun.Local;
+      sun.Direction = { direction.x, direction.y, direction.z };
+      sun.Hours = counted * (to - from);
+      if (weather.IsEmpty())
+      {
+        sun.Light =
+          relievo::GetClearSky(sun.Local.z, sun.Extraterrestrial, this->Altitude, this->Turbidity);
+      }
+      suns.push_back(sun);
+    }
+  };
   for (long day = 0; day < days; day += this->DayStep)
   {
-    const long counted = std::min<long>(this->DayStep, days - day);
-    const double middle = static_cast<double>(day + (counted - 1) / 2);
-    for (int step = 0; step < steps; ++step)
+    const long span = std::min<long>(this->DayStep, days - day);
+    const auto counted = static_cast<double>(span);
+    const long middle = day + (span - 1) / 2;
+    const double midnight = HoursOfDay * static_cast<double>(middle);
+    const double first = midnight + this->BeginHour;
+    const double last = midnight + this->EndHour;
+    const std::array<int, 3> date = GetDate(firstDay + middle);
+    const int newYear[3] = { date[0], 1, 1 };
+    Sun sun{};
+    sun.Extraterrestrial = relievo::GetExtraterrestrial(
+      static_cast<int>(CountDays(date.data()) - CountDays(newYear)) + 1);
+    if (weather.IsEmpty())
     {
-      const double begin = HoursOfDay * middle + step * length;
-      const double end = std::min(HoursOfDay * (middle + 1.0), begin + length);
-      // In each half of a step the sun crosses the horizon at most once.
-      std::vector<std::array<double, 2>> parts;
-      const double times[] = { begin, 0.5 * (begin + end), end };
-      for (int half = 0; half < 2; ++half)
+      const int steps = countSteps(this->EndHour - this->BeginHour);
+      for (int step = 0; step < steps; ++step)
       {
-        const double from = times[half];
-        const double to = times[half + 1];
-        const bool up[2] = { isUp(from), isUp(to) };
-        if (up[0] && !parts.empty())
+        const double begin = first + step * length;
+        addParts(begin, std::min(last, begin + length), counted, sun);
+      }
+      continue;
+    }
+    // The intervals of the weather, whose clock may differ; each has whole steps.
+    const double ahead = weather.HasTimeZone() ? weather.GetTimeZone() - timeZone : 0.0;
+    const double period = weather.GetPeriod();
+    const auto end = static_cast<int>(std::ceil((HoursOfDay + ahead) / period - 1e-9));
+    for (auto i = static_cast<int>(std::floor(ahead / period + 1e-9)); i < end; ++i)
+    {
+      const double from = midnight + std::max(0.0, i * period - ahead);
+      const double to = midnight + std::min(HoursOfDay, (i + 1) * period - ahead);
+      const int steps = std::max(1, countSteps(to - from));
+      const double step = (to - from) / steps;
+      double light = 0.0; // hours by day, and these hours times the sine of the sun's height
+      double level = 0.0;
+      for (int k = 0; k < steps; ++k)
+      {
+        for (const auto& [a, b] : clock.GetParts(from + k * step, from + (k + 1) * step, 0.0))
         {
-          parts.back()[1] = up[1] ? to : findHorizon(from, to);
-        }
-        else if (up[0] || up[1])
-        {
-          parts.push_back(
-            { up[0] ? from : findHorizon(from, to), up[1] ? to : findHorizon(from, to) });
+          light += b - a;
+          level += (b - a) * clock.GetDirection(0.5 * (a + b))[2];
         }
       }
-      for (const auto& [from, to] : parts)
+      if (!(light > 0.0))
       {
-        const Vector local = getDirection(0.5 * (from + to));
-        const Vector direction = this->UpAxis == 0 ? Vector{ local[2], local[0], local[1] }
-          : this->UpAxis == 1                      ? Vector{ local[0], local[2], -local[1] }
-                                                   : Vector{ local[0], local[1], local[2] };
-        suns.push_back({ direction, static_cast<double>(counted) * (to - from) });
+        continue;
+      }
+      const int perDay = weather.GetPerDay();
+      const int later = i < 0 ? -1 : i / perDay;
+      const std::array<int, 3> its = GetDate(firstDay + middle + later);
+      const std::size_t index = weather.GetIndex(middle + later, its.data(), i - later * perDay);
+      sun.Light.Direct = std::min(sun.Extraterrestrial,
+        weather.Direct[index] * (to - from) / (weather.IsLevel() ? level : light));
+      sun.Light.Diffuse = weather.Diffuse[index] * (to - from) / light;
+      for (int k = 0; k < steps; ++k)
+      {
+        const double begin = std::max(first, from + k * step);
+        const double stop = std::min(last, from + (k + 1) * step);
+        if (begin < stop)
+        {
+          addParts(begin, stop, counted, sun);
+        }
       }
     }
   }
-  return suns;
+  return "";
+}
+
+//------------------------------------------------------------------------------
+// Reports progress; false if the filter was stopped.
+bool vtkRelievoSunExposure::Advance(double done)
+{
+  this->UpdateProgress(done);
+  return !relievo::IsStopped(this);
+}
+
+//------------------------------------------------------------------------------
+// Hours of sun by a ray from each place to each position of the sun, `share` of all work.
+bool vtkRelievoSunExposure::FindHours(const vtkRelievoSurfacePlaces& places,
+  vtkRelievoRayScene* scene, const std::vector<Sun>& suns, double share, vtkDataSetAttributes* data)
+{
+  Openings openings(scene, places);
+  std::vector<double> hours(places.At.size());
+  std::vector<double> insolation(places.At.size());
+  double done = 0.0;
+  for (const Sun& sun : suns)
+  {
+    if (!openings.Find([&sun](std::size_t) { return sun.Direction; },
+          [&](std::size_t place, double cosine) {
+            hours[place] += sun.Hours;
+            insolation[place] += sun.Hours * cosine;
+          }))
+    {
+      vtkErrorMacro("The rays to the sun were not followed; see the errors before.");
+      return false;
+    }
+    done += share / static_cast<double>(suns.size());
+    if (!this->Advance(done))
+    {
+      return false;
+    }
+  }
+  AddArray(data, "sun_hours", hours);
+  data->SetActiveScalars("sun_hours");
+  AddArray(data, "insolation", insolation);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Irradiation, and hours of sun, by one set of rays from each place, `share` of all work.
+bool vtkRelievoSunExposure::FindIrradiation(const vtkRelievoSurfacePlaces& places,
+  vtkRelievoRayScene* scene, const std::vector<Sun>& suns, double share, vtkPolyData* output,
+  vtkDataSetAttributes* data)
+{
+  constexpr double kilo = 1000.0;
+  const glm::dmat3 world = GetWorld(this->UpAxis);
+  const double lowest = std::cos(vtkMath::RadiansFromDegrees(85.0)); // in the model of Perez
+  vtkRelievoSkyPatches sky(world);
+  double uniform = 0.0;
+  double horizon = 0.0;
+  double open = 0.0;
+  for (const Sun& sun : suns)
+  {
+    const double sine = sun.Local.z;
+    const double direct = sun.Light.Direct * sun.Hours / kilo;
+    const double diffuse = sun.Light.Diffuse * sun.Hours / kilo;
+    const relievo::DiffuseShares shares = this->Irradiance == 2
+      ? relievo::GetPerezShares(sine, sun.Extraterrestrial, sun.Light)
+      : relievo::DiffuseShares();
+    const double around = diffuse * shares.Sun / std::max(sine, lowest);
+    sky.AddSun(sun.Local, direct, around, sun.Hours);
+    uniform += diffuse * (1.0 - shares.Sun);
+    horizon += diffuse * shares.Horizon;
+    open += (direct + around) * sine + diffuse * (1.0 - shares.Sun);
+  }
+  sky.AddSky(uniform, horizon);
+  sky.Finish();
+
+  scene->Update();
+  const std::size_t count = places.At.size();
+  std::vector<vtkRelievoSkyPatches::Sums> sums(count);
+  constexpr std::size_t block = 64; // places that share a receiver's memory
+  constexpr std::size_t batch = 16 * block;
+  for (std::size_t first = 0; first < count; first += batch)
+  {
+    const std::size_t end = std::min(count, first + batch);
+    vtkRelievoForAll(static_cast<vtkIdType>((end - first + block - 1) / block), [&](vtkIdType i) {
+      vtkRelievoSkyPatches::Receiver receiver(sky, scene->GetTree(), this->Tolerance / 100.0);
+      const std::size_t from = first + static_cast<std::size_t>(i) * block;
+      for (std::size_t place = from; place < std::min(end, from + block); ++place)
+      {
+        const glm::dvec3 normal = glm::make_vec3(places.Normals[place].data());
+        if (normal != glm::dvec3(0.0))
+        {
+          sums[place] = receiver.Receive(glm::make_vec3(places.At[place].data()), normal);
+        }
+      }
+    });
+    if (!this->Advance(share * static_cast<double>(end) / static_cast<double>(count)))
+    {
+      return false;
+    }
+  }
+
+  using Sums = vtkRelievoSkyPatches::Sums;
+  const auto add = [&](const char* name, const auto& get) {
+    std::vector<double> values(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      values[i] = get(sums[i], i);
+    }
+    AddArray(data, name, values);
+  };
+  const auto reflected = [&](std::size_t i) {
+    const glm::dvec3 normal = glm::make_vec3(places.Normals[i].data());
+    return normal == glm::dvec3(0.0)
+      ? 0.0
+      : 0.5 * this->Albedo * open * (1.0 - glm::dot(normal, world[2]));
+  };
+  add("irradiation",
+    [&](const Sums& each, std::size_t i) { return each.Direct + each.Diffuse + reflected(i); });
+  data->SetActiveScalars("irradiation");
+  add("direct_irradiation", [](const Sums& each, std::size_t) { return each.Direct; });
+  add("diffuse_irradiation", [](const Sums& each, std::size_t) { return each.Diffuse; });
+  add("reflected_irradiation", [&](const Sums&, std::size_t i) { return reflected(i); });
+  add("irradiation_bound", [](const Sums& each, std::size_t) { return each.Bound; });
+  add("sun_hours", [](const Sums& each, std::size_t) { return each.Hours; });
+  add("sun_hours_bound", [](const Sums& each, std::size_t) { return each.HoursBound; });
+  add("insolation", [](const Sums& each, std::size_t) { return each.Insolation; });
+  AddField(output, "open_irradiation", open);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The share of a uniform sky's light, after `share` of all work.
+bool vtkRelievoSunExposure::FindSky(const vtkRelievoSurfacePlaces& places,
+  vtkRelievoRayScene* scene, double share, vtkDataSetAttributes* data)
+{
+  Openings openings(scene, places);
+  std::vector<double> sky(places.At.size());
+  double done = share;
+  for (const vtkRelievoSkySamples::Point& point :
+    vtkRelievoSkySamples::Get(this->SkySamples, false))
+  {
+    const glm::dvec3 sample =
+      relievo::f64::relievoSkyDirection(point.X + 0.5 / this->SkySamples, point.Y, true);
+    if (!openings.Find(
+          [&](std::size_t place) {
+            const glm::dvec3 direction = vtkRelievoSkyTurn(sample, places.Normals[place].data());
+            return direction[this->UpAxis] > 0.0 ? Vector{ direction.x, direction.y, direction.z }
+                                                 : Vector{};
+          },
+          [&](std::size_t place, double) { sky[place] += 1.0 / this->SkySamples; }))
+    {
+      vtkErrorMacro("The rays to the sky were not followed; see the errors before.");
+      return false;
+    }
+    done += (1.0 - share) / this->SkySamples;
+    if (!this->Advance(done))
+    {
+      return false;
+    }
+  }
+  AddArray(data, "sky_view", sky);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -242,7 +652,8 @@ int vtkRelievoSunExposure::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   relievo::Begin(outputs);
-  const std::string error = CheckDays(this->FirstDay, this->LastDay);
+  std::vector<Sun> suns;
+  const std::string error = this->GetSuns(suns);
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
@@ -250,71 +661,35 @@ int vtkRelievoSunExposure::RequestData(
   }
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  const vtkSmartPointer<vtkRelievoRayScene> scene = MakeScene(inputs);
+  const vtkSmartPointer<vtkRelievoRayScene> scene = this->MakeScene(inputs);
+  if (!scene)
+  {
+    return 1;
+  }
   vtkRelievoSurfacePlaces places;
   this->Points ? places.TakePoints(mesh) : places.TakeCells(mesh);
   places.Keep(this->GetShare(places.At.size()));
 
-  Openings openings(scene, places);
-  std::vector<double> hours(places.At.size());
-  std::vector<double> insolation(places.At.size());
-  std::vector<double> sky(places.At.size());
-  const std::vector<Sun> suns = this->GetSuns();
-  const auto points = vtkRelievoSkySamples::Get(this->SkySamples, false);
-  const std::size_t all = suns.size() + static_cast<std::size_t>(this->SkySamples);
-  double possible = 0.0;
-  for (std::size_t i = 0; i < all; ++i)
-  {
-    bool good = true;
-    if (i < suns.size())
-    {
-      const Sun& sun = suns[i];
-      possible += sun.Hours;
-      good = openings.Find([&sun](std::size_t) { return sun.Direction; },
-        [&](std::size_t place, double cosine) {
-          hours[place] += sun.Hours;
-          insolation[place] += sun.Hours * cosine;
-        });
-    }
-    else
-    {
-      const vtkRelievoSkySamples::Point& point = points[i - suns.size()];
-      const glm::dvec3 sample =
-        relievo::f64::relievoSkyDirection(point.X + 0.5 / this->SkySamples, point.Y, true);
-      good = openings.Find(
-        [&](std::size_t place) {
-          const glm::dvec3 direction = vtkRelievoSkyTurn(sample, places.Normals[place].data());
-          return direction[this->UpAxis] > 0.0 ? Vector{ direction.x, direction.y, direction.z }
-                                               : Vector{};
-        },
-        [&](std::size_t place, double) { sky[place] += 1.0 / this->SkySamples; });
-    }
-    if (!good)
-    {
-      vtkErrorMacro("The rays to the sun were not followed; see the errors before.");
-      return 1;
-    }
-    this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(all));
-    if (relievo::IsStopped(this))
-    {
-      relievo::Discard(outputs);
-      return 1;
-    }
-  }
   output->ShallowCopy(mesh);
   vtkDataSetAttributes* data =
     output->GetAttributes(this->Points ? vtkDataObject::POINT : vtkDataObject::CELL);
-  AddArray(data, "sun_hours", hours);
-  data->SetActiveScalars("sun_hours");
-  AddArray(data, "insolation", insolation);
-  if (this->SkySamples > 0)
+  const auto steps = static_cast<double>(suns.size());
+  const double share = this->SkySamples > 0 ? steps / (steps + this->SkySamples) : 1.0;
+  const bool isDone =
+    (this->Irradiance == 0 ? this->FindHours(places, scene, suns, share, data)
+                           : this->FindIrradiation(places, scene, suns, share, output, data)) &&
+    (this->SkySamples == 0 || this->FindSky(places, scene, share, data));
+  if (!isDone)
   {
-    AddArray(data, "sky_view", sky);
+    relievo::Discard(outputs);
+    return 1;
   }
-  vtkNew<vtkDoubleArray> open;
-  open->SetName("possible_hours");
-  open->InsertNextValue(possible);
-  output->GetFieldData()->AddArray(open);
+  double possible = 0.0;
+  for (const Sun& sun : suns)
+  {
+    possible += sun.Hours;
+  }
+  AddField(output, "possible_hours", possible);
   return 1;
 }
 

@@ -752,7 +752,11 @@ int vtkRelievoVisibility::RequestData(
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   vtkPolyData* cloud = vtkPolyData::GetData(outputs, 1);
-  const vtkSmartPointer<vtkRelievoRayScene> scene = MakeScene(inputs);
+  const vtkSmartPointer<vtkRelievoRayScene> scene = this->MakeScene(inputs);
+  if (!scene)
+  {
+    return 1;
+  }
   Sight sight(mesh, scene);
   sight.CellShare = this->GetShare(sight.Pixels.size());
   sight.PointShare = this->GetShare(sight.PointsSeen.size());

@@ -132,7 +132,7 @@ from ._sight.cameras import (
     lens,
 )
 from ._sight.rays import rays
-from ._sight.sight import cover, flow, moment, sun_exposure, visible
+from ._sight.sight import cover, flow, moment, sun_exposure, view_factors, visible
 
 globals().update(_functions())  # lamps, fog, markers: each stage that draws points
 _browser.prepare()
@@ -188,6 +188,7 @@ __all__ = [
     "sun_exposure",
     "to_image",
     "verify",
+    "view_factors",
     "visible",
     "vtkRelievoPass",
     "write_baseline",

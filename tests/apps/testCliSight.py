@@ -56,6 +56,17 @@ class Sight(CliTest):
         # Readable beside every expat, by any VTK.
         self.assertNotIn(b"<AppendedData", (self.folder / "sun.vtp").read_bytes())
 
+    def test_rays(self):
+        """A file of trees is written by the first run, and used by others, of these meshes."""
+        self.sun(*SUN, "roof.off", "--up", "y", "--step", "60")
+        plain = (self.folder / "sun.vtp").read_bytes()
+        for _ in range(2):
+            self.sun(*SUN, "roof.off", "--up", "y", "--step", "60", "--rays", "town.rays")
+            self.assertEqual((self.folder / "sun.vtp").read_bytes(), plain)
+        done = self.relievo("sun", "ground.off", *SUN, "--rays", "town.rays", "-o", "a.vtp",
+                            status=1)  # fmt: skip
+        self.assertIn("--rays: ", done.stderr)
+
     def test_parts(self):
         """Joined parts are the file of one process, for a drawn number of parts in drawn orders."""
         draw = random.Random(45)
@@ -67,10 +78,11 @@ class Sight(CliTest):
             "\n".join(["OFF", f"{len(points)} {len(quads)} 0", *points, *quads, ""]))
         works = (
             ["sun", "hills.off", *SUN, "--up", "y", "--step", "60", "--sky", "4"],
+            ["sun", "hills.off", *SUN, "--up", "y", "--step", "60", "--irradiance", "perez"],
             ["sun", "hills.off", *SUN, "--up", "y", "--step", "60", "--points"],
             ["visible", "hills.off", "--poses", "random:3", "--size", "12x9"],
         )
-        for work, count in zip(works, (draw.randint(2, 5), draw.randint(2, 17), 3)):
+        for work, count in zip(works, (draw.randint(2, 5), 3, draw.randint(2, 17), 3)):
             with self.subTest(work, count=count):
                 self.relievo(*work, "-o", "whole.vtp")
                 folder = self.folder / "shared.vtp.parts"

@@ -64,8 +64,8 @@ def replace(path, old, new):
 def add(tree):
     """The class, its word, and their documentation."""
     (tree / "dataset" / "formats" / "LinesFormat.cxx").write_text(CLASS, encoding="utf-8")
-    replace(tree / "dataset" / "CMakeLists.txt", "Nerf Npz Yolo Kitti)",
-            "Nerf Npz Yolo Kitti Lines)")
+    replace(tree / "dataset" / "CMakeLists.txt", "Npz Yolo Kitti WebDataset)",
+            "Npz Yolo Kitti WebDataset Lines)")
     replace(tree / "docs" / "datasets.md", "| `npz` | `NUMBER.npz`",
             "| `lines` | `pictures/`, `depth/` and `lines.txt`, where cameras stand |\n"
             "| `npz` | `NUMBER.npz`")  # fmt: skip
@@ -74,8 +74,8 @@ def add(tree):
 def on_the_command_line(run, build, folder):
     """In the help and the completion's words, refused and written."""
     relievo = build / "bin" / "relievo"
-    assert "npz, yolo, kitti or lines (bop)" in " ".join(run([relievo, "--help"]).split())
-    assert "bop coco nerf npz yolo kitti lines\n" in run([relievo, "--words"])
+    assert "yolo, kitti, webdataset or lines (bop)" in " ".join(run([relievo, "--help"]).split())
+    assert "bop coco nerf npz yolo kitti webdataset lines\n" in run([relievo, "--words"])
     mesh = folder / "seen.off"
     mesh.write_text("OFF\n3 1 0\n-1 -1 0\n1 -1 0\n-1 1 0\n3 0 1 2\n", encoding="utf-8")
     words = [relievo, "dataset", mesh, "--poses", "orbit:3", "--size", "32x24", "--format", "lines",

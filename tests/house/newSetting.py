@@ -39,9 +39,9 @@ def add(tree):
             ("  double Latitude = 48.0;\n", "{0}  double Horizon = 0.0;\n"),
             ("  /** The error of a first and a last day:", METHODS + "{0}"))  # fmt: skip
     replace(filter_.with_suffix(".cxx"), ("  list.AddWhole(\n    \"sky_samples\"", SETTING + "{0}"),
-            ("getDirection(hour)[2] > 0.0;", "getDirection(hour)[2] > std::sin(\n    "
-             "vtkMath::RadiansFromDegrees(this->Horizon));"),
-            ("[&getDirection](double hour)", "[&getDirection, this](double hour)"))  # fmt: skip
+            ("clock.GetParts(begin, end, least)",
+             "clock.GetParts(begin, end, std::max(least,\n      "
+             "std::sin(vtkMath::RadiansFromDegrees(this->Horizon))))"))
     replace(tree / "apps" / "relievo" / "commands" / "CaveCommand.cxx",
             ("  vtkNew<vtkRelievoCaves> Caves;\n", "{0}  bool Silent = false;\n"),
             ("    this->Caves->SetSize(", OPTION + "{0}"),

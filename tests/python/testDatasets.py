@@ -4,8 +4,11 @@
 the formats' own rules, and against others' readers where they are installed."""
 
 import filecmp
+import importlib.util
+import io
 import json
 import pathlib
+import tarfile
 import tempfile
 import unittest
 
@@ -413,6 +416,58 @@ class Datasets(unittest.TestCase):
                         for each in ("one", "two")]  # fmt: skip
             self.assertLess(numpy.abs(pictures[0] - pictures[1]).mean(), 0.1)
 
+    def test_shards(self):
+        """Samples in tar archives have the arrays of npz; shards have at most their size. Read by
+        Python's tarfile, and by the package webdataset if it is installed."""
+        renderer, cameras = heap(), [*around(), *around()]
+        common = {"layers": ["normal"], "depth_step": 0.001}
+        relievo.write_dataset(renderer, cameras, self.folder / "npz", "npz", layers=["normal"])
+        one, two = self.folder / "one", self.folder / "two"
+        relievo.write_dataset(renderer, cameras, one, "webdataset", **common)
+        sample = (one / "samples" / "000000.tar").stat().st_size
+        relievo.write_dataset(renderer, cameras, two, "webdataset", shard_size=2.6 * sample / 1e6,
+                              **common)  # fmt: skip
+        self.assertEqual([each["url"] for each in read_json(one / "index.json")["shardlist"]],
+                         ["shard-000000.tar"])  # fmt: skip
+        shards = read_json(two / "index.json")["shardlist"]
+        self.assertEqual([each["nsamples"] for each in shards], [2, 2, 2])
+        views = 0
+        for shard in shards:
+            self.assertEqual((two / shard["url"]).stat().st_size, shard["filesize"])
+            self.assertLess(shard["filesize"], 2.6 * sample)
+            with tarfile.open(two / shard["url"]) as archive:
+                files = {each.name: archive.extractfile(each).read() for each in archive}
+            self.assertEqual(len(files), 10)
+            for key in sorted({name.split(".")[0] for name in files}):
+                self.assertEqual(key, f"{views:06d}")
+                found = numpy.load(self.folder / "npz" / f"{key}.npz")
+                layers = numpy.load(io.BytesIO(files[f"{key}.layers.npz"]))
+                numpy.testing.assert_array_equal(layers["normal"], found["normal"])
+                images = {}
+                for name in ("png", "depth.png", "object.png"):
+                    (self.folder / "image.png").write_bytes(files[f"{key}.{name}"])
+                    images[name] = read_png(self.folder / "image.png")
+                numpy.testing.assert_array_equal(images["png"], found["color"])
+                numpy.testing.assert_array_equal(images["object.png"], found["object"])
+                depth = numpy.where(numpy.isfinite(found["depth"]), found["depth"], 0)
+                numpy.testing.assert_allclose(images["depth.png"] * 0.001, depth, atol=0.00051)
+                record = json.loads(files[f"{key}.json"])
+                self.assertEqual((record["view"], record["depth_step"]), (views, 0.001))
+                views += 1
+        self.assertEqual(views, 6)
+        self.assertEqual(relievo.verify(two), "")
+        (two / "shard-000001.tar").write_bytes(b"")
+        self.assertIn("shard-000001.tar is not that of these views", relievo.verify(two))
+        relievo.merge(two)
+        self.assertEqual(relievo.verify(two), "")
+        if importlib.util.find_spec("webdataset"):
+            import webdataset  # noqa: PLC0415
+
+            found = webdataset.WebDataset([str(two / each["url"]) for each in shards],
+                                          shardshuffle=False)  # fmt: skip
+            self.assertEqual([each["__key__"] for each in found],
+                             [f"{view:06d}" for view in range(6)])  # fmt: skip
+
     def test_boxes_in_lines(self):
         """Lines of yolo and kitti have the boxes, categories and shares of the masks of npz."""
         renderer = heap()
@@ -420,7 +475,7 @@ class Datasets(unittest.TestCase):
         names = ["floor", "ball", "box_0", "box_1"]
         common = {"objects": names, "categories": {"a box": ["box_*"]}, "validation": 0.5}
         relievo.write_dataset(renderer, cameras, self.folder / "npz", "npz", objects=names)
-        for name in ("yolo", "kitti"):
+        for name in ("yolo", "kitti", "webdataset"):
             relievo.write_dataset(renderer, cameras, self.folder / name, name, **common)
         yolo, kitti = self.folder / "yolo", self.folder / "kitti" / "training"
         self.assertEqual((yolo / "data.yaml").read_text(),

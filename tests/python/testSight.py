@@ -538,6 +538,112 @@ class SeenScene(unittest.TestCase):
         self.assertEqual(cloud.GetPointData().GetArray("actor").GetNumberOfTuples(), 0)
 
 
+class FromRays(unittest.TestCase):
+    """sun_exposure(), visible() and cover() of a file of trees: those of the mesh, bit for bit."""
+
+    def test_equal(self):
+        draw = numpy.random.default_rng(45)
+        hills = [(i % 12, draw.uniform(0, 2), i // 12) for i in range(144)]
+        quads = [(i, i + 12, i + 13, i + 1) for i in range(132) if i % 12 < 11]
+        mesh, roof = mesh_of(hills, quads), box((6, 4, 6), 1.5)
+        camera = relievo.Pinhole(K, SIZE).look_at((3, 9, 2), (6, 0, 6), (0, 0, 1))
+        works = {
+            "sun_hours": lambda thing, others: relievo.sun_exposure(
+                thing, 40, 10, "2026-03-20", step=60, occluders=others),
+            "irradiation": lambda thing, others: relievo.sun_exposure(
+                thing, 40, 10, "2026-03-20", irradiance="perez", occluders=others),
+            "solid_angle": lambda thing, others: relievo.visible(thing, camera, occluders=others),
+            "candidates": lambda thing, others: relievo.cover(
+                thing, [(3, 5, 3), (9, 6, 9), (1, 4, 9)], 2, occluders=others)[0],
+        }  # fmt: skip
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "hills.rays"
+            relievo.rays(mesh, roof).write(file)
+            scene = relievo.rays(file, mesh, roof)
+            # Rays of another range are not those of the work.
+            scene.nearest((0, 9, 0), (0, -1, 0), minimum=1, maximum=2)
+            for name, work in works.items():
+                with self.subTest(name):
+                    values = [array(work(*each), name) for each in ((mesh, roof), (scene, ()))]
+                    numpy.testing.assert_array_equal(*values)
+                    self.assertGreater(len(set(values[0].tolist())), 1)
+            self.assertEqual(scene.scene.GetNumberOfMeshesBuilt(), 0)
+            for thing, others, wrong in ((relievo.rays(file), (), "of a file alone"),
+                                         (scene, roof, "beside Rays"),
+                                         (relievo.rays((mesh, numpy.eye(4))), (), "matrices")):
+                with self.assertRaisesRegex(ValueError, wrong):
+                    works["sun_hours"](thing, others)
+        other = relievo.vtkRelievoSunExposure()
+        other.SetInputDataObject(0, roof)
+        other.SetScene(scene.scene)
+        with relievo._arguments.errors.Watch(other) as watch:
+            other.Update()
+        with self.assertRaisesRegex(ValueError, "other data"):
+            watch.raise_as(ValueError, "sun")
+
+
+class ViewFactors(unittest.TestCase):
+    """view_factors(): closed forms (J. R. Howell, A Catalog of Radiation Heat Transfer
+    Configuration Factors), sums and reciprocity."""
+
+    def check(self, found, factors):
+        """Each factor within its bound; rows that add up; areas times factors symmetric."""
+        numpy.testing.assert_array_less(numpy.abs(found.factors - factors), found.bounds)
+        numpy.testing.assert_allclose(found.factors.sum(axis=1) + found.nothing + found.others, 1,
+                                      atol=1e-12)
+        flows, errors = (found.areas[:, None] * each for each in (found.factors, found.bounds))
+        numpy.testing.assert_array_less(numpy.abs(flows - flows.T), errors + errors.T)
+
+    def test_squares(self):
+        low = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+        high = [(0, 0, 1), (0, 1, 1), (1, 1, 1), (1, 0, 1)]  # faces down
+        side = [(0, 0, 0), (0, 1, 0), (0, 1, 1), (0, 0, 1)]
+        root = numpy.sqrt(2)
+        parallel = 2 / numpy.pi * (numpy.log(2 / numpy.sqrt(3))
+                                   + 2 * root * numpy.arctan(1 / root) - numpy.pi / 2)
+        across = (numpy.pi / 2 - root * numpy.arctan(1 / root) + numpy.log(0.75) / 4) / numpy.pi
+        for other, expected in ((high, parallel), (side, across)):
+            mesh = mesh_of(low + other, [range(4), range(4, 8)])
+            for tolerance in (0.02, 0.004):
+                found = relievo.view_factors(mesh, [3, 5], tolerance=tolerance)
+                self.assertEqual(found.groups.tolist(), [3, 5])
+                numpy.testing.assert_allclose(found.areas, 1)
+                self.check(found, [[0, expected], [expected, 0]])
+                self.assertLessEqual(found.bounds.max(), tolerance)
+        again = relievo.view_factors(mesh, [3, 5], tolerance=0.004)
+        numpy.testing.assert_array_equal(again.factors, found.factors)
+        # A screen between them, and a back that radiates to nothing.
+        screen = mesh_of([(-9, -9, 0.5), (9, -9, 0.5), (9, 9, 0.5), (-9, 9, 0.5)], [range(4)])
+        mesh = mesh_of(low + high[::-1], [range(4), range(4, 8)])
+        for occluders, others in (([], [parallel, 0]), ([screen], [1, 0])):
+            found = relievo.view_factors(mesh, [0, 1], occluders=occluders)
+            numpy.testing.assert_allclose(found.others, others, atol=0.02)
+            numpy.testing.assert_array_equal(found.factors, 0)
+
+    def test_spheres(self):
+        ball = vtkSphereSource()
+        ball.SetThetaResolution(24)
+        ball.SetPhiResolution(13)
+        ball.Update()
+        points = vtk_to_numpy(ball.GetOutput().GetPoints().GetData()) * 2
+        cells = vtk_to_numpy(ball.GetOutput().GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        outer = cells[:, ::-1] + len(points)  # faces inwards
+        mesh = mesh_of(numpy.concatenate([points, 2 * points]), numpy.concatenate([cells, outer]))
+        group = numpy.repeat([0, 1], len(cells))
+        found = relievo.view_factors(mesh, group, tolerance=0.005)
+        self.check(found, [[0, 1], [0.25, 0.75]])
+        self.assertEqual((found.factors[0, 1], found.nothing.max()), (1, 0))
+
+    def test_refused(self):
+        mesh = box((0, 0, 0), 1)
+        for given, wrong in (({"groups": [1]}, "expected one number for each of 6 cells"),
+                             ({"groups": "none"}, "got none"), ({"groups": [-1] * 6}, "no polygon"),
+                             ({"groups": [0.5] * 6}, "got 0.5 for cell 0"),
+                             ({"groups": [0] * 6, "tolerance": 0}, "tolerance: got 0")):
+            with self.assertRaisesRegex(ValueError, wrong):
+                relievo.view_factors(mesh, **given)
+
+
 class Sun(unittest.TestCase):
     """sun_exposure(): shadows of a wall and a courtyard by hand, from the sun's own angles."""
 
@@ -696,8 +802,162 @@ class Sun(unittest.TestCase):
         expected = 4 / numpy.pi * a * numpy.arctan(a)
         self.assertAlmostEqual(array(done, "sky_view")[0], expected, 2)
 
+    def test_times_of_day_elevation_and_north(self):
+        # At an equinox the equator's sun rises at about 6, by 15 degrees an hour.
+        roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)
+        for given, hours in (({"begin_hour": 9, "end_hour": 15}, 6), ({"end_hour": 10}, 4),
+                             ({"end_hour": 10, "time_zone": 2}, 2), ({"minimum_elevation": 30}, 8),
+                             ({"begin_hour": 12, "minimum_elevation": 30}, 4)):
+            with self.subTest(given):
+                lit = relievo.sun_exposure(roof, 0, 0, "2026-03-20", **given)
+                possible = lit.GetFieldData().GetArray("possible_hours").GetValue(0)
+                self.assertAlmostEqual(possible, hours, delta=0.15)  # the equation of time
+                self.assertAlmostEqual(array(lit, "sun_hours")[0], possible, 5)
+        south = grid((0, 0, 0), (1, 0, 0), (0, 1, 0), 1, 1)
+        west = grid((0, 0, -1), (0, 0, 0), (0, 1, -1), 1, 1)
+        plain, turned = (array(relievo.sun_exposure(wall, **self.PLACE, first="2026-10-01",
+                                                    north=north), "insolation")[0]
+                         for wall, north in ((south, 0), (west, 90)))
+        self.assertAlmostEqual(plain / turned, 1, 6)
+        self.assertGreater(plain, 4)
+
+    def test_irradiation_of_planes(self):
+        """A year at Vienna without clouds, and by arrays: direct, diffuse and reflected kWh/m2 by
+        pvlib 0.16.1, in steps of five minutes (solarposition, clearsky.ineichen with a solar
+        constant of 1361 W/m2 by Spencer and airmass by Kasten and Young, irradiance.perez and
+        isotropic)."""
+        sine, cosine = numpy.sin(numpy.radians(35)), numpy.cos(numpy.radians(35))
+        up = {"level": ((1, 0, 0), (0, 1, 0)), "tilted": ((1, 0, 0), (0, cosine, sine)),
+              "south": ((1, 0, 0), (0, 0, 1)), "east": ((0, 1, 0), (0, 0, 1)),
+              "north": ((-1, 0, 0), (0, 0, 1))}
+        corners, cells = [], []
+        for i, (a, b) in enumerate(numpy.array(list(up.values()))):
+            first = numpy.array((1e5 * i, 0, 0))  # too far to shade each other
+            cells.append(range(4 * i, 4 * i + 4))
+            corners += [first, first + a, first + a + b, first + b]
+        planes = mesh_of(corners, cells)
+        hour, day = numpy.arange(8760) % 24, numpy.arange(8760) // 24
+        by_day = (hour >= 8) & (hour < 14)
+        weather = {"dni": by_day * (300 + 200 * numpy.sin(0.1 * day)),
+                   "dhi": by_day * (80 + 40 * numpy.cos(0.3 * hour + day))}
+        truth = [
+            ({"irradiance": "isotropic"}, [
+                (1470.00, 275.82, 0), (1915.16, 250.88, 31.57), (1285.60, 137.91, 174.58),
+                (762.59, 137.91, 174.58), (56.40, 137.91, 174.58)]),
+            ({"irradiance": "perez", "altitude": 1500, "turbidity": 2.5}, [
+                (1742.80, 201.86, 0), (2297.55, 249.19, 35.17), (1581.91, 188.95, 194.47),
+                (979.26, 159.67, 194.47), (86.52, 117.99, 194.47)]),
+            ({"irradiance": "perez", "weather": weather, "time_zone": 0}, [
+                (382.95, 175.08, 0), (558.55, 227.27, 10.09), (426.90, 176.64, 55.80),
+                (112.11, 101.62, 55.80), (0, 75.20, 55.80)]),
+        ]  # fmt: skip
+        for given, rows in truth:
+            lit = relievo.sun_exposure(planes, 48.2, 16.4, "2026-01-01", "2026-12-31", up="z",
+                                       **given)
+            parts = [array(lit, f"{part}_irradiation")
+                     for part in ("direct", "diffuse", "reflected")]
+            total = array(lit, "irradiation")
+            numpy.testing.assert_allclose(total, numpy.sum(parts, axis=0), rtol=1e-6)
+            for i, plane in enumerate(up):
+                with self.subTest(list(given), plane=plane):
+                    for part, expected in zip(parts, rows[i]):
+                        self.assertAlmostEqual(part[i], expected, delta=0.003 * sum(rows[i]))
+                    self.assertLessEqual(array(lit, "irradiation_bound")[i], 0.01 * total[i])
+            whole = lit.GetFieldData().GetArray("open_irradiation").GetValue(0)
+            self.assertAlmostEqual(whole / total[0], 1, 5)
+
+    def test_irradiation_in_a_canyon(self):
+        """Closed forms of a uniform sky, and steps of sun by rays, within the bounds."""
+        floor = grid((-0.01, 0, 0.01), (0.01, 0, 0.01), (-0.01, 0, -0.01), 1, 1)
+        left = grid((-1, 0, 500), (-1, 0, -500), (-1, 1, 500), 1, 1)  # faces the other
+        right = grid((1, 0, -500), (1, 0, 500), (1, 1, -500), 1, 1)
+        day = {**self.PLACE, "first": "2026-06-01", "step": 5}
+        sky = {"dhi": numpy.full(24, 100.0), "dni": numpy.zeros(24)}
+        sun = {"dhi": numpy.zeros(24), "dni": numpy.full(24, 500.0)}
+        slope = numpy.arctan2(0.5, 2)
+        for mesh, others, expected in ((floor, [left, right], numpy.sqrt(0.5)),
+                                       (left, [right], 0.5 * (1 - numpy.sin(slope)))):
+            for tolerance in (4, 1):
+                lit = relievo.sun_exposure(mesh, **day, occluders=others, irradiance="isotropic",
+                                           weather=sky, tolerance=tolerance, albedo=0)
+                open_ = lit.GetFieldData().GetArray("open_irradiation").GetValue(0)
+                found, bound = (array(lit, name)[0] / open_
+                                for name in ("irradiation", "irradiation_bound"))
+                self.assertLessEqual(abs(found - expected), 0.6 * bound)
+                self.assertLessEqual(bound, 0.01 * tolerance * found)
+            lit = relievo.sun_exposure(mesh, **day, occluders=others, irradiance="isotropic",
+                                       weather=sun, tolerance=0.3)
+            rays = relievo.sun_exposure(mesh, **day, occluders=others)
+            direct = array(lit, "direct_irradiation")[0]
+            self.assertLessEqual(abs(direct - 0.5 * array(rays, "insolation")[0]),
+                                 array(lit, "irradiation_bound")[0] + 0.002 * direct)
+            self.assertLessEqual(abs(array(lit, "sun_hours")[0] - array(rays, "sun_hours")[0]),
+                                 array(lit, "sun_hours_bound")[0] + 5 / 60)
+            self.assertLess(array(lit, "sun_hours")[0], 14)
+
+    def test_weather(self):
+        """Energy of an open level roof: the sum of all hours with sun, from a file or arrays."""
+        roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)
+        draw = numpy.random.default_rng(45)
+        dni, dhi = draw.uniform(50, 400, 8760), draw.uniform(20, 200, 8760)
+        hours = numpy.arange("2025-01-01", "2026-01-01", dtype="datetime64[h]").astype(object)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "place.epw"
+            head = ["LOCATION,Place,-,-,-,0,48,11,1.0,500"] + ["DATA PERIODS,1,1,Data"] * 7
+            rows = [f"2001,{each.month},{each.day},{each.hour + 1},60,?,20,9,50,95000,0,0,300,"
+                    f"999,{sun!r},{sky!r},0" for each, sun, sky
+                    in zip(hours, dni.tolist(), dhi.tolist())]  # fmt: skip
+            file.write_text("\n".join(head + rows) + "\n")
+            of_file, in_utc = (
+                relievo.sun_exposure(roof, **self.PLACE, first="2026-05-03", last="2026-05-04",
+                                     irradiance="perez", weather=file, time_zone=zone)
+                for zone in (None, 0))  # fmt: skip
+            file.write_text("\n".join(head + rows[:-1]) + "\n")
+            with self.assertRaisesRegex(ValueError, "has no hour 24 of day 365"):
+                relievo.sun_exposure(roof, **self.PLACE, first="2026-05-03",
+                                     irradiance="perez", weather=file)
+        here = slice(24 * 122, 24 * 124)
+        given = {"first": "2026-05-03", "last": "2026-05-04", "time_zone": 1}
+        of_arrays = relievo.sun_exposure(roof, **self.PLACE, **given, irradiance="perez",
+                                         weather={"dni": dni[here], "dhi": dhi[here]})
+        for name in ("direct_irradiation", "diffuse_irradiation", "sun_hours"):
+            values = [array(each, name)[0] for each in (of_file, of_arrays, in_utc)]
+            self.assertEqual(values[0], values[1])
+            # By another clock other hours of the night are joined at midnight.
+            self.assertAlmostEqual(values[2] / values[0], 1, 5)
+        sun = relievo.vtkRelievoSolarPosition()
+        sun.SetLatitude(self.PLACE["latitude"])
+        sun.SetLongitude(self.PLACE["longitude"])
+        sun.SetTimeZone(1)
+        sun.SetDate(2026, 5, 3)
+
+        def is_up(hour):
+            sun.SetHour(hour)
+            return sun.GetElevation() > 0
+
+        lit = sorted({i // 60 for i in range(48 * 60) if is_up((i + 0.5) / 60)})
+        ghi = dhi + dni / 4
+        level = relievo.sun_exposure(roof, **self.PLACE, **given, irradiance="isotropic",
+                                     weather={"ghi": ghi[here], "dhi": dhi[here]})
+        self.assertAlmostEqual(array(level, "diffuse_irradiation")[0],
+                               dhi[here][lit].sum() / 1000, delta=0.001)
+        self.assertAlmostEqual(array(level, "direct_irradiation")[0],
+                               dni[here][lit].sum() / 4000, delta=0.15)
+        for weather, wrong in (({"dni": [1, 2]}, "expected the array dhi"), (7, "got 7"),
+                               ({"dni": [1], "dhi": [1, 2]}, "equal"),
+                               ({"dni": [1, 1], "dhi": [1, -1]}, "got -1 W/m2 in row 1"),
+                               ({"dni": [1] * 3, "dhi": [1] * 3}, "got 3 values for 2 days"),
+                               ("none.epw", "none.epw: cannot be read")):
+            with self.assertRaisesRegex(ValueError, wrong):
+                relievo.sun_exposure(roof, **self.PLACE, **given, irradiance="perez",
+                                     weather=weather)
+
     def test_refused(self):
         roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)
+        with self.assertRaisesRegex(ValueError, "hours 9 to 8"):
+            relievo.sun_exposure(roof, **self.PLACE, first="2026-06-21", begin_hour=9, end_hour=8)
+        with self.assertRaisesRegex(ValueError, "time zone '15'"):
+            relievo.sun_exposure(roof, **self.PLACE, first="2026-06-21", time_zone=15)
         for words, change in (("first", {"first": "June"}), ("latitude", {"latitude": 91}),
                               ("up", {"up": "w"}), ("step", {"step": 0}),
                               ("longitude", {"longitude": numpy.nan}),

@@ -154,6 +154,8 @@ class Hand:
             names["normal"] = numpy.zeros((*names["depth"].shape, 3), numpy.float32)
         elif self.page == "docs/python.md":
             names["mesh"] = names["ball"]
+            names["room"] = names["model"]
+            names["wall_numbers"] = numpy.arange(names["model"].GetNumberOfCells()) % 2
         elif self.page == "docs/passes/Ambient.md":
             names["sensor"] = relievo.Equirectangular((64, 32))
         elif self.page == "docs/cameras.md":
@@ -162,7 +164,7 @@ class Hand:
             names.update(
                 K=K, R=sensor.R, t=sensor.t, D=(0.01, 0), point=(0, 0, 0), points=numpy.eye(3),
                 sensors=[sensor], terrain=points(), town=names["model"], site=names["model"],
-                masts=3 * numpy.eye(3))
+                roofs=names["model"], masts=3 * numpy.eye(3))
             names["sensor"] = names.get("sensor", sensor)
             temperature = numpy_to_vtk(numpy.arange(float(names["model"].GetNumberOfPoints())))
             temperature.SetName("temperature")

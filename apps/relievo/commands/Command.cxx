@@ -97,6 +97,11 @@ void Command::AddMeshOptions(const std::string& extension)
     [this](const std::string& value) { this->AllowedFolders.push_back(value); });
   folders.Files = "/";
   folders.Repeats = true;
+  this->AddWord("--rays FILE.rays",
+    "keeps the trees for rays of these meshes in a file: written by the first run, shared in "
+    "memory "
+    "by all later ones",
+    this->RayFile);
 }
 
 //------------------------------------------------------------------------------
@@ -168,7 +173,8 @@ std::string Command::NameOptions(const std::string& text) const
 //------------------------------------------------------------------------------
 std::set<std::string> Command::Take(const std::vector<std::string>& words)
 {
-  static const std::set<std::string> apart = { "-o", "--out", "--part", "--allow-folder" };
+  static const std::set<std::string> apart = { "-o", "--out", "--part", "--allow-folder",
+    "--rays" };
   vtkRelievoCommand command = this->DescribeAll();
   for (vtkRelievoOption& option : command.Options)
   {

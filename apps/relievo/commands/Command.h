@@ -79,7 +79,8 @@ protected:
   vtkRelievoCommand Rows;
   std::vector<std::string> Names; ///< words other than options
   std::vector<std::string> AllowedFolders;
-  std::string File; ///< value of -o
+  std::string RayFile; ///< value of --rays; "": none
+  std::string File;    ///< value of -o
   int Up = -1;
   dataset::WorkPart Part; ///< value of --part
   bool IsPart = false;    ///< whether it is given

@@ -92,7 +92,7 @@ public:
       outputs.Add("--chosen", this->Chosen, inputs);
     }
     reading::Progress progress;
-    ReadMeshes(this->Names, this->AllowedFolders, this->Cover, progress);
+    ReadMeshes(this->Names, this->AllowedFolders, this->RayFile, this->Cover, progress);
     this->Cover->SetInputDataObject(
       2, ReadCandidates(this->Candidates, this->AllowedFolders, progress));
     progress.Begin("following rays");

@@ -138,7 +138,7 @@ public:
     this->AddParameters(this->Writer->GetParameters(),
       { { "format", "--format FORMAT" }, { "depth_step", "--depth-step S" },
         { "mm_per_unit", "--mm-per-unit M" }, { "validation", "--validation SHARE" },
-        { "up", "" } });
+        { "shard_size", "--shard-size MB" }, { "up", "" } });
     this->AddPartOption("views");
     this->Add("--views A:B",
       "draws only the views from A to B - 1, as one of several processes (all)",

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
 #include "Errors.h"
+#include "FileHash.h"
 #include "MeshParts.h"
 #include "Messages.h"
 #include "Outputs.h"
@@ -16,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoSunExposure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <regex>
@@ -31,7 +33,8 @@ public:
     : Command("sun", "FILE...",
         "sun computes by rays how long the sun shines on a mesh, and writes the mesh with "
         "the arrays sun_hours and insolation (hours weighted by the cosine between the sun "
-        "and the normal). The first FILE is the mesh, the others shade it. North is z, -z or "
+        "and the normal), and by --irradiance with its irradiation in kWh/m2. The first FILE is "
+        "the mesh, the others shade it. North is z, -z or "
         "y where x, y or z points up.")
   {
     this
@@ -49,7 +52,8 @@ public:
     this->AddUpOption();
     this->AddParameters(this->Sun->GetParameters(),
       { { "latitude", "" }, { "longitude", "" }, { "day_step", "" }, { "step", "--step MINUTES" },
-        { "up_axis", "" }, { "sky_samples", "--sky N" } });
+        { "up_axis", "" }, { "sky_samples", "--sky N" }, { "time_zone", "--time-zone HOURS" },
+        { "weather_file", "--weather FILE.epw" } });
     this->AddPartOption("cells");
   }
 
@@ -61,7 +65,8 @@ public:
     outputs.Add("-o", this->File, this->Names);
     reading::Progress progress;
     MeshParts parts(MeshParts::GetFolder(this->File));
-    const int up = ReadMeshes(this->Names, this->AllowedFolders, this->Sun, progress);
+    const int up =
+      ReadMeshes(this->Names, this->AllowedFolders, this->RayFile, this->Sun, progress);
     this->Sun->SetUpAxis(this->Up < 0 ? up : this->Up);
     if (this->IsPart && !parts.Begin(this->Rows.Name, this->DescribeSun(), this->Sun, this->Part))
     {
@@ -84,10 +89,12 @@ public:
   }
 
 private:
-  // The words, and the axis that points up, which may come from the first file.
+  // The words, the axis that points up, which may come from the first file, and the weather.
   std::string DescribeSun()
   {
-    return this->GetWords() + " --up=" + std::string(1, "xyz"[this->Sun->GetUpAxis()]);
+    const std::string weather = this->Sun->GetWeatherFile();
+    return this->GetWords() + " --up=" + std::string(1, "xyz"[this->Sun->GetUpAxis()]) +
+      (weather.empty() ? "" : " " + dataset::FileHash::OfFile(weather));
   }
 
   void TakePlace(const std::string& value)
@@ -150,6 +157,21 @@ private:
       static_cast<long long>(hours->GetNumberOfTuples()),
       this->Sun->GetPoints() ? "points" : "cells",
       mesh->GetFieldData()->GetArray("possible_hours")->GetTuple1(0));
+    if (vtkDataArray* energy = where->GetArray("irradiation"))
+    {
+      double whole = 0.;
+      double bound = 0.;
+      for (vtkIdType i = 0; i < energy->GetNumberOfTuples(); ++i)
+      {
+        whole += energy->GetTuple1(i);
+        bound = std::max(bound, where->GetArray("irradiation_bound")->GetTuple1(i));
+      }
+      std::printf(
+        "%s: %.1f kWh/m2 in their mean, open level ground has %.1f; errors of the sampling "
+        "are at most %.2f\n",
+        this->File.c_str(), whole / static_cast<double>(energy->GetNumberOfTuples()),
+        mesh->GetFieldData()->GetArray("open_irradiation")->GetTuple1(0), bound);
+    }
   }
 
   vtkNew<vtkRelievoSunExposure> Sun;

@@ -81,7 +81,8 @@ public:
     reading::Progress progress;
     MeshParts parts(MeshParts::GetFolder(this->File));
     vtkNew<vtkRelievoVisibility> visibility;
-    const int up = ReadMeshes(this->Names, this->AllowedFolders, visibility, progress);
+    const int up =
+      ReadMeshes(this->Names, this->AllowedFolders, this->RayFile, visibility, progress);
     this->AddCameras(this->Up < 0 ? up : this->Up, visibility);
     visibility->SetCloud(!this->Cloud.empty());
     if (this->IsPart &&

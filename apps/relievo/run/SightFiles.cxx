@@ -15,11 +15,13 @@
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoRayScene.h"
 #include "vtkRelievoSightAlgorithm.h"
 #include "vtkXMLPolyDataWriter.h"
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 namespace cli
@@ -55,7 +57,7 @@ vtkSmartPointer<vtkPolyData> ReadMesh(
 
 //------------------------------------------------------------------------------
 int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::string>& folders,
-  vtkRelievoSightAlgorithm* filter, reading::Progress& progress)
+  const std::string& rays, vtkRelievoSightAlgorithm* filter, reading::Progress& progress)
 {
   for (const std::string& folder : folders)
   {
@@ -63,6 +65,7 @@ int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::str
   }
   reading::ReadContext context(progress, folders);
   int up = 1;
+  vtkNew<vtkRelievoRayScene> scene;
   for (std::size_t i = 0; i < files.size(); ++i)
   {
     const vtkSmartPointer<vtkPolyData> mesh = ReadMesh(files[i], context);
@@ -71,6 +74,16 @@ int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::str
       up = reading::FindUpAxis(files[i], mesh->GetBounds());
     }
     filter->AddInputDataObject(i == 0 ? 0 : 1, mesh);
+    scene->AddData(mesh);
+  }
+  if (!rays.empty())
+  {
+    std::error_code trouble;
+    const bool exists = std::filesystem::exists(rays, trouble);
+    progress.Begin((exists ? "opening " : "writing ") + rays);
+    const bool done = exists ? scene->Read(rays) : scene->Write(rays);
+    reading::Messages::Check("--rays", !done, "the trees were not used");
+    filter->SetScene(scene);
   }
   return up;
 }

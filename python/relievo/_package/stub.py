@@ -54,7 +54,9 @@ _PARAMETERS = {
     "files": _PATH,
     "first": "datetime.date | str",
     "frame": "Any",
+    "groups": "ArrayLike | str",
     "image": "Any",  # also PyVista's
+    "irradiance": "bool | str",  # off
     "last": "datetime.date | str | None",
     "latitude": "float",
     "layers": "str | Sequence[str]",
@@ -81,9 +83,11 @@ _PARAMETERS = {
     "target": "Any",
     "thing": "Any",
     "things": "Any",
+    "time_zone": "float | None",
     "unit": "str | None",
     "values": "ArrayLike | dict[str, ArrayLike]",
     "views": "tuple[int, int] | None",
+    "weather": f"{_PATH} | dict[str, ArrayLike] | None",
     "words": _PATH,
     "camera.size": "Sequence[int]",
     "environment.path": "Any",

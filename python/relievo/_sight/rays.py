@@ -69,6 +69,7 @@ class Rays:
     def __init__(self, things: Sequence[Any]) -> None:
         self.scene = vtkRelievoRayScene()
         self._data: list[Any] = []
+        self.has_matrices = False  # of data
         files = [each for each in things if isinstance(each, (str, os.PathLike))]
         things = [each for each in things if not isinstance(each, (str, os.PathLike))]
         if len(files) > 1:
@@ -166,6 +167,7 @@ class Rays:
             raise ValueError(f"rays: got {describe(given)}, expected {_EXPECTED}")
         if matrix is not None and not is_a(matrix, "vtkMatrix4x4"):
             matrix = _matrix(matrix)
+        self.has_matrices = self.has_matrices or matrix is not None
         self.scene.AddData(data, matrix)
         self._data.append(data)
 

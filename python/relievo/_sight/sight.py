@@ -4,6 +4,7 @@
 
 import datetime
 import inspect
+import os
 
 import numpy
 
@@ -20,7 +21,7 @@ from .._arguments.parameters import (
 from .._arguments.renderers import inner_renderer, outwards, prop_of
 from ..vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from ..vtk.vtkCommonCore import vtkPoints
-from ..vtk.vtkCommonDataModel import vtkImageData, vtkPolyData
+from ..vtk.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
 from ..vtk.vtkCommonExecutionModel import vtkAlgorithm
 from ..vtk.vtkFiltersCore import vtkAppendPolyData
 from ..vtk.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
@@ -29,6 +30,7 @@ from ..vtkRelievoFilters import (
     vtkRelievoFlow,
     vtkRelievoRayLayers,
     vtkRelievoSunExposure,
+    vtkRelievoViewFactors,
     vtkRelievoVisibility,
 )
 from ..vtkRelievoRays import vtkRelievoRayScene
@@ -95,8 +97,8 @@ def visible(thing, cameras, occluders=(), size=None, cloud=False) -> vtkPolyData
         of_actors = relievo.visible(renderer, sensors)
 
     thing: a dataset or a filter that makes one; data other than polygons count by their outer
-        surface. Or a scene as for rays(): a renderer, a plotter, an actor, or a list of data or
-        actors.
+        surface; or Rays of a mesh and its occluders. Or a scene as for rays(): a renderer, a
+        plotter, an actor, or a list of data or actors.
     cameras: CameraModels (Pinhole, Fisheye, ...), or vtkCameras, renderers and plotters with
         pictures of `size` (columns, rows); one or a list.
     occluders: other data that occludes it, one or a list.
@@ -225,13 +227,14 @@ def _add(data, name, values):
 _OF_SUN = keywords_of(
     vtkRelievoSunExposure(),
     {"day_step": "every", "up_axis": "up", "sky_samples": "sky"},
-    without=("latitude", "longitude"),
+    without=("latitude", "longitude", "time_zone", "weather_file"),
 )
 _SUN_SIGNATURE = inspect.Signature(
     keywords(dict.fromkeys(("mesh", "latitude", "longitude", "first"), inspect.Parameter.empty))
-    + keywords({"last": None, "occluders": (), **defaults_of(vtkRelievoSunExposure(), _OF_SUN)}),
+    + keywords({"last": None, "occluders": (), **defaults_of(vtkRelievoSunExposure(), _OF_SUN),
+                "time_zone": None, "weather": None}),
     return_annotation=vtkPolyData,
-)
+)  # fmt: skip
 
 
 def sun_exposure(*arguments, **given):
@@ -244,27 +247,125 @@ def sun_exposure(*arguments, **given):
     first, last = given["first"], given["last"]
     filter_.SetFirstDay(*_day("first", first))
     filter_.SetLastDay(*_day("last", first if last is None else last))
+    if given["time_zone"] is not None:
+        set_value("sun_exposure", filter_, "time_zone", given["time_zone"])
+    weather = given["weather"]
+    if isinstance(weather, (str, os.PathLike)):
+        filter_.SetWeatherFile(os.fspath(weather))
+    elif weather is not None:
+        filter_.SetWeather(_weather(weather))
     _give(filter_, given["mesh"], given["occluders"])
     _run(filter_, "sun_exposure")
     return _copy(filter_.GetOutput())
 
 
+def _weather(arrays):
+    """A table of the dict's arrays."""
+    if not isinstance(arrays, dict) or not set(arrays) <= {"dni", "dhi", "ghi"}:
+        raise ValueError(f"weather: got {describe(arrays)}, expected an EPW file, or a dict of "
+                         f"arrays dhi, and dni or ghi")
+    columns = {name: numpy.array(values, float).ravel() for name, values in arrays.items()}
+    lengths = sorted({len(values) for values in columns.values()})
+    if len(lengths) > 1:
+        raise ValueError(f"weather: got arrays of lengths {lengths}, expected equal ones")
+    table = vtkTable()
+    for name, values in columns.items():
+        column = numpy_to_vtk(values, deep=True)
+        column.SetName(name)
+        table.AddColumn(column)
+    return table
+
+
 sun_exposure.__signature__ = _SUN_SIGNATURE  # type: ignore[attr-defined]
-sun_exposure.__doc__ = f"""Returns the mesh with its hours of sun.
+sun_exposure.__doc__ = f"""Returns the mesh with its hours of sun and its irradiation.
 
     town = relievo.sun_exposure(town, 48.2, 16.4, "2026-01-01", "2026-12-31", every=7)
+    roofs = relievo.sun_exposure(roofs, 48.2, 16.4, "2026-01-01", "2026-12-31",
+                                 irradiance="perez", weather="vienna.epw")
 
 mesh: a dataset or a filter that makes one; data other than polygons count by their outer
-    surface. Normals point outwards.
+    surface. Normals point outwards. Or Rays of it and its occluders, such as
+    relievo.rays("city.rays", mesh).
 latitude, longitude: degrees, -90 to 90 and -180 to 180, north and east positive.
 first, last: the first and the last day, as datetime.date or "2026-06-21"; last None: one day.
 occluders: other data that shade it, one or a list.
 {describe_all(vtkRelievoSunExposure(), _OF_SUN)}
+time_zone: hours by which the clock is ahead of UTC, -12 to 14; None: those of the weather file, or
+    local mean time.
+weather: with irradiance, a weather file of EnergyPlus (EPW), or a dict of arrays in W/m2: dhi, and
+    dni or ghi, the means of equal intervals from the first midnight to the last; None: a clear sky.
 
 Returns vtkPolyData with the arrays sun_hours, insolation (hours times the cosine between the
 sun and the normal) and sky_view (share of a uniform sky's light, 0 to 1), and the field data
-possible_hours. Raises ValueError for wrong arguments.
+possible_hours. With irradiance also, in kWh/m2, irradiation, its parts direct_irradiation,
+diffuse_irradiation and reflected_irradiation, the bound of its error, irradiation_bound,
+sun_hours_bound, and the field data open_irradiation. Raises ValueError for wrong arguments.
 """
+
+
+class ViewFactors:
+    """View factors between groups, as view_factors() returns them; arrays in the groups' order.
+
+    groups: the numbers of the groups.
+    areas: of each group, in square world units.
+    factors: the share of light that leaves the group of a row and arrives at that of a column.
+    bounds: the errors of factors are smaller, each with a confidence of 99.9 %.
+    nothing: the share that hits nothing.
+    others: the share that hits occluders, cells without a group, or the backs of cells.
+    """
+
+    def __init__(self, table):
+        start, end, factor, bound, area = (
+            vtk_to_numpy(table.GetColumnByName(name))
+            for name in ("from", "to", "factor", "bound", "area"))  # fmt: skip
+        self.groups = numpy.unique(start)
+        rows = factor.reshape(len(self.groups), -1)
+        order = end[:rows.shape[1]]
+        within = order >= 0
+        self.areas = area.reshape(rows.shape)[:, 0].copy()
+        self.factors = rows[:, within]
+        self.bounds = bound.reshape(rows.shape)[:, within]
+        self.nothing = rows[:, order == -1].ravel()
+        self.others = rows[:, order == -2].ravel()
+
+
+def view_factors(mesh, groups, tolerance=0.01, occluders=(), seed=0) -> ViewFactors:
+    """Returns the view factors between groups of a mesh's cells, by rays, with bounds.
+
+        room = relievo.view_factors(room, wall_numbers, tolerance=0.002)
+        heat = room.factors @ radiosities
+
+    mesh: a dataset or a filter that makes one; of data other than polygons, the outer surface.
+        Cells radiate and receive at their fronts, where their points run counter-clockwise.
+    groups: a whole number for each cell, negative for none, or the name of a cell array of them.
+    tolerance: rays are added until the bounds of all factors are below, 0.0001 to 0.2.
+    occluders: other data that hide cells from each other, one or a list.
+    seed: of the rays, from 0; equal seeds give equal factors.
+
+    Each row of factors, with nothing and others, adds up to 1. Both directions of a pair have rays
+    of their own: areas times factors are symmetric within the bounds.
+
+    Raises ValueError for wrong arguments.
+    """
+    filter_ = vtkRelievoViewFactors()
+    set_value("view_factors", filter_, "tolerance", tolerance)
+    set_value("view_factors", filter_, "seed", seed)
+    _give(filter_, mesh, occluders)
+    if not isinstance(groups, str):
+        data = _copy(filter_.GetInputDataObject(0, 0))
+        groups = numpy.asarray(groups)
+        if groups.shape != (data.GetNumberOfCells(),):
+            raise ValueError(f"groups: got an array of shape {groups.shape}, expected one number "
+                             f"for each of {data.GetNumberOfCells()} cells")
+        _add(data.GetCellData(), _GROUPS, groups.astype(float))
+        filter_.SetInputDataObject(0, data)
+        groups = _GROUPS
+    filter_.SetGroups(groups)
+    _run(filter_, "view_factors")
+    return ViewFactors(filter_.GetOutput())
+
+
+_GROUPS = "relievo:groups"
 
 
 _OF_COVER = keywords_of(vtkRelievoCover(), {}, without=("number_of_places", "weights"))
@@ -338,8 +439,8 @@ cover.__doc__ = f"""Chooses, of many candidate places, the k from which most of 
     site, cameras = relievo.cover(site, numpy.array(poles), 6, farthest_distance=40)
     share = site.GetFieldData().GetArray("share").GetValue(0)
 
-mesh: a dataset or a filter that makes one; of data other than polygons, the outer surface. Cells
-    count by their areas.
+mesh: a dataset or a filter that makes one; of data other than polygons, the outer surface; or Rays
+    of it and its occluders. Cells count by their areas.
 candidates: an array (n, 3) of places, or a dataset whose points are the places.
 k: how many to choose, from 1.
 occluders: other data that occlude the mesh, one or a list.
@@ -477,9 +578,32 @@ def _surface(thing):
 
 
 def _give(filter_, mesh, occluders):
+    if isinstance(mesh, Rays):
+        _give_rays(filter_, mesh, occluders)
+        return
     filter_.SetInputDataObject(0, _surface(mesh))
     for each in _listed(occluders):
         filter_.AddInputDataObject(1, _surface(each))
+
+
+def _give_rays(filter_, scene, occluders):
+    """The data of rays(): the first is the mesh, the others hide it."""
+    if scene.scene.GetRenderer() is not None or scene.has_matrices:
+        raise ValueError("mesh: got Rays of a renderer, of actors or of data with matrices, "
+                         "expected those of data")
+    if not scene.props or None in scene.props:
+        raise ValueError("mesh: got Rays of a file alone, which has no cells, expected "
+                         "relievo.rays(file, mesh)")
+    if not is_a(scene.props[0], "vtkPolyData"):
+        raise ValueError(f"mesh: got Rays of {describe(scene.props[0])}, expected vtkPolyData")
+    if _listed(occluders):
+        raise ValueError("occluders: got some beside Rays, whose data after the first hide the "
+                         "mesh")
+    filter_.SetInputDataObject(0, scene.props[0])
+    for each in scene.props[1:]:
+        filter_.AddInputDataObject(1, each)
+    if hasattr(filter_, "SetScene"):
+        filter_.SetScene(scene.scene)
 
 
 def _run(filter_, subject, *others):

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSkyPatches.h"
+
+#include "vtkMath.h"
+#include "vtkRelievoRayTree.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+//------------------------------------------------------------------------------
+vtkRelievoSkyPatches::vtkRelievoSkyPatches(const glm::dmat3& world)
+  : World(world)
+{
+  for (int level = FirstLevel; level <= LastLevel; ++level)
+  {
+    this->Levels[static_cast<std::size_t>(level - FirstLevel)].resize(
+      static_cast<std::size_t>(1) << (2 * level));
+  }
+  this->Corners.reserve(static_cast<std::size_t>(Side + 1) * (Side + 1));
+  for (int row = 0; row <= Side; ++row)
+  {
+    for (int column = 0; column <= Side; ++column)
+    {
+      this->Corners.push_back(world * GetLocal(2.0 * column / Side - 1.0, 2.0 * row / Side - 1.0));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The direction of a point of the square from -1 to 1; its edge is the horizon.
+glm::dvec3 vtkRelievoSkyPatches::GetLocal(double x, double y)
+{
+  const bool wide = std::abs(x) > std::abs(y);
+  const double radius = wide ? x : y;
+  const double turn = radius == 0.0 ? 0.0 : 0.25 * vtkMath::Pi() * (wide ? y : x) / radius;
+  const double level = radius * std::sqrt(2.0 - radius * radius);
+  const double along = level * std::cos(turn);
+  const double across = level * std::sin(turn);
+  return { wide ? along : across, wide ? across : along, 1.0 - radius * radius };
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSkyPatches::Patch& vtkRelievoSkyPatches::FindPatch(const glm::dvec3& local)
+{
+  const bool wide = std::abs(local.x) > std::abs(local.y);
+  const double major = wide ? local.x : local.y;
+  const double radius = std::copysign(std::sqrt(std::max(0.0, 1.0 - local.z)), major);
+  const double minor = major == 0.0
+    ? 0.0
+    : radius * std::atan((wide ? local.y : local.x) / major) / (0.25 * vtkMath::Pi());
+  const auto find = [](double value) {
+    return std::clamp(static_cast<int>(0.5 * (value + 1.0) * Side), 0, Side - 1);
+  };
+  const int column = find(wide ? radius : minor);
+  const int row = find(wide ? minor : radius);
+  return this->Levels.back()[static_cast<std::size_t>(row * Side + column)];
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkyPatches::AddSun(
+  const glm::dvec3& local, double direct, double diffuse, double hours)
+{
+  Patch& patch = this->FindPatch(local);
+  const glm::dvec3 direction = this->World * local;
+  patch.Direct += direct * direction;
+  patch.DirectSize += direct;
+  patch.Diffuse += diffuse * direction;
+  patch.DiffuseSize += diffuse;
+  patch.Insolation += hours * direction;
+  patch.Hours += hours;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkyPatches::AddSky(double uniform, double horizon)
+{
+  // Of a uniform sky, pi times the radiance arrives on level ground; patches are equally large.
+  const double light = 2.0 * uniform / (static_cast<double>(Side) * Side);
+  for (int row = 0; row < Side; ++row)
+  {
+    for (int column = 0; column < Side; ++column)
+    {
+      Patch& patch = this->Levels.back()[static_cast<std::size_t>(row * Side + column)];
+      patch.Diffuse += light * this->World *
+        GetLocal((2.0 * column + 1.0) / Side - 1.0, (2.0 * row + 1.0) / Side - 1.0);
+      patch.DiffuseSize += light;
+    }
+  }
+  // Half of it for each radian, of which the cosines' mean leaves 2 in front of an upright plane.
+  constexpr int parts = 4 * Side;
+  const double share = 0.5 * horizon * 2.0 * vtkMath::Pi() / parts;
+  for (int i = 0; i < parts; ++i)
+  {
+    const double turn = 2.0 * vtkMath::Pi() * (i + 0.5) / parts;
+    const glm::dvec3 local(std::sin(turn), std::cos(turn), 0.0);
+    Patch& patch = this->FindPatch(local);
+    patch.Diffuse += share * this->World * local;
+    patch.DiffuseSize += std::abs(share);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkyPatches::Finish()
+{
+  for (int level = LastLevel - 1; level >= FirstLevel; --level)
+  {
+    std::vector<Patch>& patches = this->Levels[static_cast<std::size_t>(level - FirstLevel)];
+    for (std::size_t i = 0; i < patches.size(); ++i)
+    {
+      const int column = 2 * (static_cast<int>(i) & ((1 << level) - 1));
+      const int row = 2 * (static_cast<int>(i) >> level);
+      for (int quarter = 0; quarter < 4; ++quarter)
+      {
+        const Patch& part = this->Get(level + 1, column + quarter % 2, row + quarter / 2);
+        patches[i].Direct += part.Direct;
+        patches[i].Diffuse += part.Diffuse;
+        patches[i].Insolation += part.Insolation;
+        patches[i].DirectSize += part.DirectSize;
+        patches[i].DiffuseSize += part.DiffuseSize;
+        patches[i].Hours += part.Hours;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSkyPatches::Receiver::Receiver(
+  const vtkRelievoSkyPatches& sky, const vtkRelievoRayTree& tree, double tolerance)
+  : Sky(sky)
+  , Tree(tree)
+  , Tolerance(tolerance)
+  , Seen(sky.Corners.size())
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSkyPatches::Receiver::IsFree(int column, int row)
+{
+  std::uint32_t& seen = this->Seen[static_cast<std::size_t>(row * (Side + 1) + column)];
+  if (seen / 2 != this->Number)
+  {
+    constexpr double farthest = std::numeric_limits<double>::infinity();
+    const bool hit = this->Tree.HitsAny(
+      this->Place - this->Tree.GetCenter(), this->Sky.GetCorner(column, row), 0.0, farthest);
+    seen = 2 * this->Number + (hit ? 0 : 1);
+  }
+  return seen % 2 == 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkyPatches::Receiver::Add(int level, int column, int row)
+{
+  const Patch& patch = this->Sky.Get(level, column, row);
+  const int width = Side >> level;
+  double most = -1.0; // cosines to the normal
+  double least = 1.0;
+  int facing = 0;
+  int free = 0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const int x = (column + corner % 2) * width;
+    const int y = (row + corner / 2) * width;
+    const double cosine = glm::dot(this->Sky.GetCorner(x, y), this->Normal);
+    most = std::max(most, cosine);
+    least = std::min(least, cosine);
+    if (cosine > 0.0)
+    {
+      ++facing;
+      free += this->IsFree(x, y) ? 1 : 0;
+    }
+  }
+  if (free == 0 || patch.DirectSize + patch.DiffuseSize == 0.0)
+  {
+    return;
+  }
+  // Patches across the plane of the surface have light from behind, which does not count; their
+  // corners behind it say nothing.
+  const double share = static_cast<double>(free) / facing;
+  const auto receive = [&](const glm::dvec3& light) {
+    const double all = glm::dot(light, this->Normal);
+    return least < 0.0 ? std::max(0.0, all) : all;
+  };
+  const bool isMixed = free < facing;
+  const auto bound = [&](double size, double light) {
+    const double largest = std::max(std::abs(light), size * most);
+    return isMixed ? largest * std::max(share, 1.0 - share)
+                   : size * std::max(0.0, std::min(most, -least));
+  };
+  Node node{ level, column, row, {} };
+  const double direct = receive(patch.Direct);
+  const double diffuse = receive(patch.Diffuse);
+  node.Light.Direct = share * direct;
+  node.Light.Diffuse = share * diffuse;
+  node.Light.Bound = bound(patch.DirectSize, direct) + bound(patch.DiffuseSize, diffuse);
+  node.Light.Hours = share * patch.Hours;
+  node.Light.HoursBound = isMixed || least < 0.0 ? patch.Hours * std::max(share, 1.0 - share) : 0.0;
+  node.Light.Insolation = share * receive(patch.Insolation);
+  this->Nodes.push_back(node);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSkyPatches::Sums vtkRelievoSkyPatches::Receiver::Receive(
+  const glm::dvec3& place, const glm::dvec3& normal)
+{
+  this->Place = place;
+  this->Normal = normal;
+  ++this->Number;
+  this->Nodes.clear();
+  for (int row = 0; row < 1 << FirstLevel; ++row)
+  {
+    for (int column = 0; column < 1 << FirstLevel; ++column)
+    {
+      this->Add(FirstLevel, column, row);
+    }
+  }
+  for (;;)
+  {
+    Sums sums;
+    for (const Node& node : this->Nodes)
+    {
+      sums.Direct += node.Light.Direct;
+      sums.Diffuse += node.Light.Diffuse;
+      sums.Bound += node.Light.Bound;
+      sums.Hours += node.Light.Hours;
+      sums.HoursBound += node.Light.HoursBound;
+      sums.Insolation += node.Light.Insolation;
+    }
+    const double allowed = this->Tolerance * (sums.Direct + sums.Diffuse);
+    if (!(sums.Bound > allowed))
+    {
+      return sums;
+    }
+    // Those with the largest bounds first, until the others leave half of what is allowed.
+    std::stable_sort(this->Nodes.begin(), this->Nodes.end(),
+      [](const Node& a, const Node& b) { return a.Light.Bound > b.Light.Bound; });
+    const std::vector<Node> before = std::move(this->Nodes);
+    this->Nodes.clear();
+    double rest = sums.Bound;
+    bool isDivided = false;
+    for (const Node& node : before)
+    {
+      const bool divide = node.Level < LastLevel && node.Light.Bound > 0.0 && rest > 0.5 * allowed;
+      rest -= node.Light.Bound;
+      if (!divide)
+      {
+        this->Nodes.push_back(node);
+        continue;
+      }
+      isDivided = true;
+      for (int quarter = 0; quarter < 4; ++quarter)
+      {
+        this->Add(node.Level + 1, 2 * node.Column + quarter % 2, 2 * node.Row + quarter / 2);
+      }
+    }
+    if (!isDivided)
+    {
+      return sums;
+    }
+  }
+}
