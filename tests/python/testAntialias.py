@@ -252,9 +252,9 @@ class Antialias(unittest.TestCase):
         numpy.testing.assert_array_equal(smooth[distance < -1], 0)
 
     def test_triangles_that_are_left_out(self):
-        """In pixels that get all samples, only their triangles are drawn: the picture is that of all
-        triangles, which an actor's own shader asks for, near and behind the eye and far from the
-        origin."""
+        """In pixels that get all samples, only their triangles are drawn: the picture is that of
+        all triangles, which an actor's own shader asks for, near and behind the eye and far from
+        the origin."""
         numbers = numpy.random.default_rng(5)
         centers = numbers.uniform((-20, -20, -60), (84, 68, 120), (300, 3))
         corners = centers[:, None] + numbers.normal(0, (4, 4, 30), (300, 3, 3))

@@ -17,6 +17,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoPlainActor.h"
 #include "vtkRelievoSampleMarks.h"
+#include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSoftwareOpenGL.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkShader.h"
@@ -33,6 +34,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <sstream>
+#include <string>
 
 namespace
 {
@@ -49,13 +52,14 @@ bool IsIndependentOfOthers(vtkShaderProgram* program)
   {
     return false;
   }
-  const std::string vertex = program->GetVertexShader()->GetSource();
-  const auto numbers = [](vtkShader* shader) {
-    return shader && shader->GetSource().find("gl_PrimitiveID") != std::string::npos;
+  const auto has = [](vtkShader* shader, const char* section) {
+    std::istringstream lines(vtkRelievoShaderLibrary::GetSection("frame/triangles.glsl", section));
+    std::string text;
+    std::getline(lines, text);
+    return shader && shader->GetSource().find(text) != std::string::npos;
   };
-  return vertex.find("gl_Position = MCDCMatrix * vertexMC;") != std::string::npos &&
-    vertex.find("#define vertexMC") == std::string::npos &&
-    !numbers(program->GetFragmentShader()) && !numbers(program->GetGeometryShader());
+  return has(program->GetVertexShader(), "Position") && !has(program->GetVertexShader(), "Moved") &&
+    !has(program->GetFragmentShader(), "Number") && !has(program->GetGeometryShader(), "Number");
 }
 
 bool HasUsualPlaces(vtkPolyData* mesh)

@@ -31,7 +31,7 @@ public:
   vtkRelievoMarkedTriangles(const vtkRelievoMarkedTriangles&) = delete;
   vtkRelievoMarkedTriangles& operator=(const vtkRelievoMarkedTriangles&) = delete;
 
-  // Whether triangles can be left out: VTK's own code draws nothing but them, from existing buffers.
+  // Whether triangles can be left out: VTK's own code draws nothing else, from existing buffers.
   bool IsPossible() const { return this->Mapper != nullptr; }
 
   // Finds the triangles that touch marked pixels of each part of the viewport (x, y, width, height

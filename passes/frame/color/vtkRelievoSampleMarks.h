@@ -58,8 +58,8 @@ public:
   }
 
   ///@{
-  // Draws the chosen marked pixels, or a part and the surroundings that Find() reads, at the farthest
-  // depth, into the bound framebuffer. `toRaster` transforms the viewport's NDC.
+  // Draws the chosen marked pixels, or a part and the surroundings that Find() reads, at the
+  // farthest depth, into the bound framebuffer. `toRaster` transforms the viewport's NDC.
   std::string Draw(vtkRelievoFrameContext& context, const glm::dmat4& toRaster);
   std::string DrawPart(
     vtkRelievoFrameContext& context, const int part[4], const glm::dmat4& toRaster);

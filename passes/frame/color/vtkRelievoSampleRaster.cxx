@@ -41,8 +41,8 @@
 
 namespace
 {
-// Cells of a raster drawn at once, at 12 bytes each. For marked pixels, if their triangles are drawn
-// alone: more rasters have less between the pixels, but each is drawn with every actor's shader.
+// Cells of a raster drawn at once, at 12 bytes each; fewer for marked pixels, if their triangles
+// are drawn alone: more rasters have less between the pixels, but each is drawn with all shaders.
 constexpr double MostCells = 1 << 24;
 constexpr double MostCellsOfMarked = 1 << 21;
 
