@@ -251,6 +251,38 @@ class Antialias(unittest.TestCase):
         numpy.testing.assert_array_equal(smooth[distance > 1], 1)
         numpy.testing.assert_array_equal(smooth[distance < -1], 0)
 
+    def test_triangles_that_are_left_out(self):
+        """In pixels that get all samples, only their triangles are drawn: the picture is that of
+        all triangles, which an actor's own shader asks for, near and behind the eye and far from
+        the origin."""
+        numbers = numpy.random.default_rng(5)
+        centers = numbers.uniform((-20, -20, -60), (84, 68, 120), (300, 3))
+        corners = centers[:, None] + numbers.normal(0, (4, 4, 30), (300, 3, 3))
+        self.camera.ParallelProjectionOff()
+        self.camera.SetClippingRange(1, 200)
+        actor = self.renderer.GetActors().GetLastActor()
+        for origin in (0, 1e4):
+            points, faces = vtkPoints(), vtkCellArray()
+            points.SetDataTypeToDouble()
+            for i, corner in enumerate(corners.reshape(-1, 3)):
+                points.InsertNextPoint(*(corner + origin))
+                if i % 3 == 2:
+                    faces.InsertNextCell(3, (i - 2, i - 1, i))
+            soup = vtkPolyData()
+            soup.SetPoints(points)
+            soup.SetPolys(faces)
+            actor.GetMapper().SetInputData(soup)
+            actor.SetPosition(-origin, -origin, -origin)
+            actor.GetProperty().LightingOn()
+            fewer = self.smooth(24)
+            self.assertRegex(self.frame.GetFrameReport(), r"41 samples in [1-9][0-9.]* % of")
+            actor.GetShaderProperty().AddFragmentShaderReplacement(
+                "//VTK::Light::Impl", True, "// own\n//VTK::Light::Impl", False)  # fmt: skip
+            numpy.testing.assert_array_equal(fewer, self.smooth(24))
+            self.assertIn("drawn at once", self.frame.GetFrameReport())
+            actor.GetShaderProperty().ClearAllFragmentShaderReplacements()
+            self.assertGreater(numpy.ptp(fewer), 100)
+
     def test_one_by_one(self):
         """A program that must answer meanwhile gets a sample a frame; a picture that waits is that
         which is drawn at once."""

@@ -50,9 +50,10 @@ std::string vtkRelievoSampleMarks::Find(vtkRelievoFrameContext& context, const i
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoSampleMarks::Collect(vtkRelievoFrameContext& context, const int part[4])
+std::string vtkRelievoSampleMarks::Collect(const int part[4])
 {
   this->Number = 0;
+  this->Marked.clear();
   vtkNew<vtkImageData> image;
   const std::string wrong = this->Target.Read("marks", 1, image);
   if (!wrong.empty())
@@ -62,9 +63,6 @@ std::string vtkRelievoSampleMarks::Collect(vtkRelievoFrameContext& context, cons
   const float* marks =
     vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(0))->GetPointer(0);
   const int width = image->GetDimensions()[0];
-  std::vector<float> runs;
-  int least[2] = { part[0] + part[2], part[1] + part[3] };
-  int most[2] = { part[0], part[1] };
   for (int y = part[1]; y < part[1] + part[3]; ++y)
   {
     const float* row = marks + static_cast<std::ptrdiff_t>(y) * width;
@@ -77,39 +75,98 @@ std::string vtkRelievoSampleMarks::Collect(vtkRelievoFrameContext& context, cons
       }
       if (end > x)
       {
-        runs.insert(runs.end(),
-          { static_cast<float>(x), static_cast<float>(y), static_cast<float>(end - x), 1.f });
+        this->Marked.push_back({ x, y, end - x });
         this->Number += static_cast<std::size_t>(end - x);
-        least[0] = std::min(least[0], x);
-        least[1] = std::min(least[1], y);
-        most[0] = std::max(most[0], end);
-        most[1] = y + 1;
         x = end;
       }
     }
   }
-  this->Part = { least[0], least[1], most[0] - least[0], most[1] - least[1] };
-  this->NumberOfRuns = runs.size() / 4;
-  return runs.empty() ? std::string() : this->Runs.Upload(context.Window, runs, 4);
+  this->Sum(image->GetDimensions());
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleMarks::Sum(const int size[2])
+{
+  this->Across = (size[0] + Block - 1) / Block + 1;
+  const int up = (size[1] + Block - 1) / Block + 1;
+  this->Sums.assign(static_cast<std::size_t>(this->Across) * up, 0);
+  const auto at = [this](int x, int y) -> int& {
+    return this->Sums[static_cast<std::size_t>(y) * this->Across + x];
+  };
+  for (const Run& run : this->Marked)
+  {
+    for (int x = run.X / Block; x <= (run.X + run.Width - 1) / Block; ++x)
+    {
+      at(x + 1, run.Y / Block + 1) = 1;
+    }
+  }
+  for (int y = 1; y < up; ++y)
+  {
+    for (int x = 1; x < this->Across; ++x)
+    {
+      at(x, y) += at(x - 1, y) + at(x, y - 1) - at(x - 1, y - 1);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSampleMarks::Choose(std::array<int, 4>& part)
+{
+  this->Chosen.clear();
+  std::array<int, 2> least{ part[0] + part[2], part[1] + part[3] };
+  std::array<int, 2> most{ part[0], part[1] };
+  auto run = std::lower_bound(this->Marked.begin(), this->Marked.end(), part[1],
+    [](const Run& before, int y) { return before.Y < y; });
+  for (; run != this->Marked.end() && run->Y < part[1] + part[3]; ++run)
+  {
+    const int first = std::max(run->X, part[0]);
+    const int end = std::min(run->X + run->Width, part[0] + part[2]);
+    if (first < end)
+    {
+      this->Chosen.push_back({ first, run->Y, end - first });
+      least = { std::min(least[0], first), std::min(least[1], run->Y) };
+      most = { std::max(most[0], end), run->Y + 1 };
+    }
+  }
+  part = { least[0], least[1], most[0] - least[0], most[1] - least[1] };
+  return !this->Chosen.empty();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoSampleMarks::DrawPart(
   vtkRelievoFrameContext& context, const int part[4], const glm::dmat4& toRaster)
 {
-  std::vector<float> runs;
+  std::vector<float> rectangle;
   for (int i = 0; i < 4; ++i)
   {
-    runs.push_back(static_cast<float>(part[i] + (i < 2 ? -Reach : 2 * Reach)));
+    rectangle.push_back(static_cast<float>(part[i] + (i < 2 ? -Reach : 2 * Reach)));
   }
-  this->NumberOfRuns = 1;
-  const std::string wrong = this->Runs.Upload(context.Window, runs, 4);
-  return wrong.empty() ? this->Draw(context, toRaster) : wrong;
+  return this->Draw(context, rectangle, toRaster);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoSampleMarks::Draw(vtkRelievoFrameContext& context, const glm::dmat4& toRaster)
 {
+  std::vector<float> rectangles;
+  for (const Run& run : this->Chosen)
+  {
+    rectangles.insert(rectangles.end(),
+      { static_cast<float>(run.X), static_cast<float>(run.Y), static_cast<float>(run.Width),
+        1.0f });
+  }
+  return this->Draw(context, rectangles, toRaster);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoSampleMarks::Draw(
+  vtkRelievoFrameContext& context, const std::vector<float>& rectangles, const glm::dmat4& toRaster)
+{
+  const std::string wrong = this->Rectangles.Upload(context.Window, rectangles, 4);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
   vtkShaderProgram* program =
     this->Pixels.Ready(context, "frame/runsVS.glsl", "frame/runsFS.glsl", "");
   if (!program)
@@ -126,9 +183,9 @@ std::string vtkRelievoSampleMarks::Draw(vtkRelievoFrameContext& context, const g
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glm::mat4 matrix(toRaster);
   program->SetUniformMatrix4x4("relievoToRaster", &matrix[0][0]);
-  this->Runs.Activate(program, "relievoRuns");
-  this->Pixels.Draw(static_cast<int>(this->NumberOfRuns));
-  this->Runs.Deactivate();
+  this->Rectangles.Activate(program, "relievoRuns");
+  this->Pixels.Draw(static_cast<int>(rectangles.size() / 4));
+  this->Rectangles.Deactivate();
   return {};
 }
 
@@ -138,5 +195,5 @@ void vtkRelievoSampleMarks::Release(vtkWindow* window)
   this->Target.Release(window);
   this->Quad.Release(window);
   this->Pixels.Release(window);
-  this->Runs.Release(window);
+  this->Rectangles.Release(window);
 }

@@ -18,10 +18,12 @@
 #include "vtkRelievoTextureBuffer.h"
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 class vtkRelievoFrameContext;
 class vtkShaderProgram;
@@ -36,17 +38,28 @@ public:
   // returns an error message, or an empty string.
   std::string Begin(vtkRelievoFrameContext& context, const int part[4]);
   std::string Find(vtkRelievoFrameContext& context, const int part[4]);
-  std::string Collect(vtkRelievoFrameContext& context, const int part[4]);
+  std::string Collect(const int part[4]);
   ///@}
 
   std::size_t GetNumber() const { return this->Number; }
 
-  // The part of the viewport that contains all marked pixels.
-  const std::array<int, 4>& GetPart() const { return this->Part; }
+  // Reduces a part to its marked pixels, which Draw() then draws; false if there are none.
+  bool Choose(std::array<int, 4>& part);
+
+  // Whether there may be marked pixels from the least to the most pixel, which are in the viewport;
+  // fast.
+  bool HasAny(const glm::ivec2& least, const glm::ivec2& most) const
+  {
+    const glm::ivec2 low = least / Block;
+    const glm::ivec2 high = most / Block + 1;
+    const int* below = this->Sums.data() + static_cast<std::ptrdiff_t>(low.y) * this->Across;
+    const int* above = this->Sums.data() + static_cast<std::ptrdiff_t>(high.y) * this->Across;
+    return above[high.x] - above[low.x] != below[high.x] - below[low.x];
+  }
 
   ///@{
-  // Draws the marked pixels, or a part and the surroundings that Find() reads, at the farthest
-  // depth, into the bound framebuffer. `toRaster` transforms the viewport's NDC.
+  // Draws the chosen marked pixels, or a part and the surroundings that Find() reads, at the
+  // farthest depth, into the bound framebuffer. `toRaster` transforms the viewport's NDC.
   std::string Draw(vtkRelievoFrameContext& context, const glm::dmat4& toRaster);
   std::string DrawPart(
     vtkRelievoFrameContext& context, const int part[4], const glm::dmat4& toRaster);
@@ -58,13 +71,31 @@ public:
   void Deactivate() override { this->Target.Deactivate(); }
 
 private:
+  static constexpr int Block = 4; // pixels
+
+  // Marked pixels of a row.
+  struct Run
+  {
+    int X;
+    int Y;
+    int Width;
+  };
+
+  void Sum(const int size[2]);
+  std::string Draw(vtkRelievoFrameContext& context, const std::vector<float>& rectangles,
+    const glm::dmat4& toRaster);
+
   vtkRelievoScreenTarget Target{ "relievoMarks" };
   vtkRelievoScreenQuad Quad;
   vtkRelievoInstancedQuads Pixels;
-  vtkRelievoTextureBuffer Runs; // x, y, width, height of each rectangle of pixels
-  std::size_t NumberOfRuns = 0;
-  std::array<int, 4> Part{};
-  std::size_t Number = 0;
+  vtkRelievoTextureBuffer Rectangles; // x, y, width, height of each
+  std::vector<Run> Marked;            // by Y
+  std::vector<Run> Chosen;
+  std::size_t Number = 0; // of pixels
+  // For each corner of blocks of pixels, the number of blocks with marked pixels on its left and
+  // below.
+  std::vector<int> Sums;
+  int Across = 0; // corners
 };
 
 #endif

@@ -35,13 +35,16 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <memory>
 #include <regex>
 #include <sstream>
 
 namespace
 {
-// Cells of a raster drawn at once, at 12 bytes each.
+// Cells of a raster drawn at once, at 12 bytes each; fewer for marked pixels, if their triangles
+// are drawn alone: more rasters have less between the pixels, but each is drawn with all shaders.
 constexpr double MostCells = 1 << 24;
+constexpr double MostCellsOfMarked = 1 << 21;
 
 // Samples per pixel before the marks are known.
 constexpr int FewSamples = 5;
@@ -209,7 +212,7 @@ std::string vtkRelievoSampleRaster::FindObstacle(const vtkRelievoFrameContext& c
 //------------------------------------------------------------------------------
 // Divides a part of the viewport into columns and rows that fit a raster.
 std::vector<vtkRelievoSampleRaster::Part> vtkRelievoSampleRaster::Divide(
-  const vtkRelievoSampleLattice& lattice, const Part& part, glm::ivec2& pixels)
+  const vtkRelievoSampleLattice& lattice, const Part& part, double mostCells)
 {
   const glm::ivec2 all(part[2], part[3]);
   glm::ivec2 count(1);
@@ -218,11 +221,11 @@ std::vector<vtkRelievoSampleRaster::Part> vtkRelievoSampleRaster::Divide(
     const glm::dvec2 size(lattice.GetSize(getPixels()));
     return size.x * size.y;
   };
-  while (countCells() > MostCells && (getPixels().x > 1 || getPixels().y > 1))
+  while (countCells() > mostCells && (getPixels().x > 1 || getPixels().y > 1))
   {
     getPixels().x > getPixels().y ? ++count.x : ++count.y;
   }
-  pixels = getPixels();
+  const glm::ivec2 pixels = getPixels();
   std::vector<Part> parts;
   for (int y = 0; y < all.y; y += pixels.y)
   {
@@ -242,8 +245,8 @@ vtkRelievoSampleRaster::vtkRelievoSampleRaster()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoSampleRaster::Grid::Make(
-  vtkRelievoFrameContext& context, const vtkRelievoSampleLattice& lattice, const glm::ivec2& pixels)
+std::string vtkRelievoSampleRaster::Grid::Make(vtkRelievoFrameContext& context,
+  const vtkRelievoSampleLattice& lattice, const std::vector<Part>& parts)
 {
   this->Lattice = &lattice;
   this->Cells.clear();
@@ -252,7 +255,11 @@ std::string vtkRelievoSampleRaster::Grid::Make(
     this->Cells.push_back(static_cast<float>(cell.x));
     this->Cells.push_back(static_cast<float>(cell.y));
   }
-  const glm::ivec2 size = lattice.GetSize(pixels);
+  glm::ivec2 size(0);
+  for (const Part& part : parts)
+  {
+    size = glm::max(size, lattice.GetSize({ part[2], part[3] }));
+  }
   this->Color = vtkRelievoColorBuffers::MakeTexture(context.Window, GL_RGBA16F, size.x, size.y);
   this->Depth = vtkSmartPointer<vtkTextureObject>::New();
   this->Depth->SetContext(context.Window);
@@ -330,9 +337,8 @@ void vtkRelievoSampleRaster::Begin(
     return;
   }
   const vtkRelievoSampleLattice& lattice = HasFew(context) ? this->FewOfEach : *context.Lattice;
-  glm::ivec2 pixels;
-  this->Parts = Divide(lattice, this->Drawn, pixels);
-  this->Fault = this->Few.Make(context, lattice, pixels);
+  this->Parts = Divide(lattice, this->Drawn, MostCells);
+  this->Fault = this->Few.Make(context, lattice, this->Parts);
   this->Fault.empty() ? this->Begin(context, this->Few, this->Parts.front(), false)
                       : this->Leave(context);
 }
@@ -390,37 +396,76 @@ void vtkRelievoSampleRaster::End(
 void vtkRelievoSampleRaster::DrawMarked(
   vtkRelievoFrameContext& context, vtkRelievoColorTarget& target)
 {
-  glm::ivec2 pixels;
-  const std::vector<Part> parts = Divide(*context.Lattice, this->Marks.GetPart(), pixels);
-  this->Fault = this->All.Make(context, *context.Lattice, pixels);
-  for (const Part& part : parts)
+  bool possible = true;
+  vtkProp** props = context.State->GetPropArray();
+  for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
   {
-    if (!this->Fault.empty())
-    {
-      return;
-    }
-    this->Begin(context, this->All, part, true);
-    DrawOpaque(context);
-    DrawTranslucent(context);
-    this->End(context, target, part, true);
+    auto* actor = vtkActor::SafeDownCast(props[i]);
+    const bool draws = actor && actor->GetMapper();
+    this->Triangles.emplace_back(draws ? new vtkRelievoMarkedTriangles(actor) : nullptr);
+    possible = possible && (!draws || this->Triangles.back()->IsPossible());
   }
+  Part marked = this->Drawn;
+  this->Marks.Choose(marked);
+  std::vector<Part> parts;
+  for (Part part : Divide(*context.Lattice, marked, possible ? MostCellsOfMarked : MostCells))
+  {
+    if (this->Marks.Choose(part))
+    {
+      parts.push_back(part);
+    }
+  }
+  for (const auto& triangles : this->Triangles)
+  {
+    if (triangles)
+    {
+      triangles->Find(context, this->Marks, parts);
+    }
+  }
+  this->Fault = this->All.Make(context, *context.Lattice, parts);
+  for (std::size_t i = 0; i < parts.size() && this->Fault.empty(); ++i)
+  {
+    this->Marks.Choose(parts[i]);
+    this->Begin(context, this->All, parts[i], true);
+    this->DrawOpaque(context, i);
+    this->DrawTranslucent(context, i);
+    this->End(context, target, parts[i], true);
+  }
+  this->Triangles.clear();
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSampleRaster::DrawOpaque(vtkRelievoFrameContext& context)
+// Calls the function for each actor; for marked pixels, with its triangles in the part.
+template <typename Work>
+void vtkRelievoSampleRaster::ForActors(
+  const vtkRelievoFrameContext& context, std::size_t part, Work&& work)
 {
   vtkProp** props = context.State->GetPropArray();
   for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
   {
-    if (vtkActor::SafeDownCast(props[i]))
+    auto* actor = vtkActor::SafeDownCast(props[i]);
+    vtkRelievoMarkedTriangles* triangles =
+      this->Triangles.empty() ? nullptr : this->Triangles[i].get();
+    if (actor && (!triangles || triangles->Begin(part)))
     {
-      props[i]->RenderOpaqueGeometry(context.Renderer);
+      work(actor);
+    }
+    if (triangles)
+    {
+      triangles->End();
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSampleRaster::DrawTranslucent(vtkRelievoFrameContext& context)
+void vtkRelievoSampleRaster::DrawOpaque(vtkRelievoFrameContext& context, std::size_t part)
+{
+  this->ForActors(
+    context, part, [&context](vtkActor* actor) { actor->RenderOpaqueGeometry(context.Renderer); });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleRaster::DrawTranslucent(vtkRelievoFrameContext& context, std::size_t part)
 {
   vtkOpenGLState* state = context.Window->GetState();
   const vtkRelievoScopedState kept(state);
@@ -428,14 +473,12 @@ void vtkRelievoSampleRaster::DrawTranslucent(vtkRelievoFrameContext& context)
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  vtkProp** props = context.State->GetPropArray();
-  for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
-  {
-    if (vtkActor::SafeDownCast(props[i]) && props[i]->HasTranslucentPolygonalGeometry())
+  this->ForActors(context, part, [&context](vtkActor* actor) {
+    if (actor->HasTranslucentPolygonalGeometry())
     {
-      props[i]->RenderTranslucentPolygonalGeometry(context.Renderer);
+      actor->RenderTranslucentPolygonalGeometry(context.Renderer);
     }
-  }
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -457,9 +500,9 @@ void vtkRelievoSampleRaster::End(vtkRelievoFrameContext& context, vtkRelievoColo
     if (i > 0)
     {
       this->Begin(context, this->Few, this->Parts[i], false);
-      DrawOpaque(context);
+      this->DrawOpaque(context, i);
     }
-    DrawTranslucent(context);
+    this->DrawTranslucent(context, i);
     this->End(context, target, this->Parts[i], false);
     if (marks && this->Fault.empty())
     {
@@ -468,7 +511,7 @@ void vtkRelievoSampleRaster::End(vtkRelievoFrameContext& context, vtkRelievoColo
   }
   if (marks && this->Fault.empty())
   {
-    this->Fault = this->Marks.Collect(context, this->Drawn.data());
+    this->Fault = this->Marks.Collect(this->Drawn.data());
     if (this->Fault.empty() && this->Marks.GetNumber() > 0)
     {
       this->DrawMarked(context, target);

@@ -13,6 +13,7 @@
 #define vtkRelievoSampleRaster_h
 
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoMarkedTriangles.h"
 #include "vtkRelievoResource.h"
 #include "vtkRelievoSampleLattice.h"
 #include "vtkRelievoSampleMarks.h"
@@ -20,6 +21,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,14 +70,14 @@ private:
     vtkSmartPointer<vtkTextureObject> Depth;
 
     std::string Make(vtkRelievoFrameContext& context, const vtkRelievoSampleLattice& lattice,
-      const glm::ivec2& pixels); // error message, or empty
+      const std::vector<Part>& parts); // error message, or empty
     glm::dmat4 GetToRaster(const vtkRelievoFrameContext& context, const Part& part) const;
     void Bind(vtkRelievoFrameContext& context, const Part& part);
     void Free(vtkWindow* window);
   };
 
   static std::vector<Part> Divide(
-    const vtkRelievoSampleLattice& lattice, const Part& part, glm::ivec2& pixels);
+    const vtkRelievoSampleLattice& lattice, const Part& part, double mostCells);
   void Begin(vtkRelievoFrameContext& context, Grid& grid, const Part& part, bool marked);
   void End(
     vtkRelievoFrameContext& context, vtkRelievoColorTarget& target, const Part& part, bool marked);
@@ -84,8 +86,10 @@ private:
   void DrawMarked(vtkRelievoFrameContext& context, vtkRelievoColorTarget& target);
   void Leave(vtkRelievoFrameContext& context);
   void Free(vtkWindow* window);
-  static void DrawOpaque(vtkRelievoFrameContext& context);
-  static void DrawTranslucent(vtkRelievoFrameContext& context);
+  template <typename Work>
+  void ForActors(const vtkRelievoFrameContext& context, std::size_t part, Work&& work);
+  void DrawOpaque(vtkRelievoFrameContext& context, std::size_t part);
+  void DrawTranslucent(vtkRelievoFrameContext& context, std::size_t part);
 
   Part Drawn{};            // of the viewport
   std::vector<Part> Parts; // of Drawn, each a raster of few samples
@@ -95,6 +99,7 @@ private:
   Grid All;
   Grid* Drawing = nullptr; // Few or All
   vtkRelievoSampleMarks Marks;
+  std::vector<std::unique_ptr<vtkRelievoMarkedTriangles>> Triangles; // of the props; empty: all
   std::optional<vtkRelievoAccess::Camera::Projection> Projection;
   vtkRelievoScreenQuad Mean;
   vtkRelievoScreenQuad MeanOfMarked;

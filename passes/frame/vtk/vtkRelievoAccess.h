@@ -241,6 +241,11 @@ public:
   {
     return (mapper->*(&Mapper::Primitives))[type].IBO;
   }
+  // Of the last drawing; nullptr before the first.
+  static vtkShaderProgram* Program(vtkOpenGLPolyDataMapper* mapper, int type)
+  {
+    return (mapper->*(&Mapper::Primitives))[type].Program;
+  }
   static int IndexCount(vtkOpenGLPolyDataMapper* mapper, int type)
   {
     return static_cast<int>(Indices(mapper, type)->IndexCount);
