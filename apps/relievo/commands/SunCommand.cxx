@@ -48,8 +48,9 @@ public:
     this->AddMeshOptions(".vtp");
     this->AddUpOption();
     this->AddParameters(this->Sun->GetParameters(),
-      { { "latitude", "" }, { "longitude", "" }, { "day_step", "" }, { "step", "--step MINUTES" },
-        { "up_axis", "" }, { "sky_samples", "--sky N" } });
+      { { "latitude", "" }, { "longitude", "" }, { "first_day", "" }, { "last_day", "" },
+        { "day_step", "" }, { "step", "--step MINUTES" }, { "up_axis", "" },
+        { "sky_samples", "--sky N" } });
     this->AddPartOption("cells");
   }
 
