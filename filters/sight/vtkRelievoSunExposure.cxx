@@ -212,7 +212,7 @@ vtkRelievoSunExposure::vtkRelievoSunExposure()
   vtkRelievoParameterList& list = this->Parameters;
   list.AddDate(
     "first_day", this->FirstDay, [this](const int* day) { this->SetFirstDay(day); }, FirstYear,
-    LastYear, "The first day, from midnight of local mean time.");
+    LastYear, "The first day, from midnight of the clock.");
   list.AddDate(
     "last_day", this->LastDay, [this](const int* day) { this->SetLastDay(day); }, FirstYear,
     LastYear, "The last day, which counts as well.");
