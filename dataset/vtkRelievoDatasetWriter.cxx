@@ -20,6 +20,7 @@
 #include "vtkRelievoCameraModel.h"
 #include "vtkRelievoLensCamera.h"
 #include "vtkRelievoOption.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoRayLayers.h"
 #include "vtkRelievoScene.h"
 #include "vtkRenderer.h"

@@ -80,11 +80,23 @@ std::string vtkRelievoCapitalize(const std::string& name, bool spaces)
 //------------------------------------------------------------------------------
 int vtkRelievoParameter::GetNumberOfComponents() const
 {
-  return this->Type == TEXT                       ? 0
-    : this->Type == SIZE                          ? static_cast<int>(this->GetValues().size())
-    : this->Type == COLOR || this->Type == VECTOR ? 3
-    : this->Type == PAIR                          ? 2
-                                                  : 1;
+  switch (this->Type)
+  {
+    case TEXT:
+      return 0;
+    case SIZE:
+      return static_cast<int>(this->GetValues().size());
+    case COLOR:
+    case VECTOR:
+    case DATE:
+      return 3;
+    case PAIR:
+      return 2;
+    case BOX:
+      return 6;
+    default:
+      return 1;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -139,10 +151,13 @@ std::string vtkRelievoParameter::Format() const
   {
     return this->Choices[static_cast<std::size_t>(values[0])];
   }
+  const std::string between = this->Type == SIZE ? "x" : this->Type == DATE ? "-" : ",";
   std::string words;
   for (double value : values)
   {
-    words += (words.empty() ? "" : this->Type == SIZE ? "x" : ",") + Write(value);
+    // 2026-06-21
+    const bool isPadded = this->Type == DATE && value < 10.0;
+    words += (words.empty() ? "" : between) + (isPadded ? "0" : "") + Write(value);
   }
   return words;
 }
@@ -182,6 +197,10 @@ std::string vtkRelievoParameter::GetExpected() const
     case SIZE:
       return std::to_string(this->GetNumberOfComponents()) +
         " whole numbers with x between them, each " + bounds;
+    case DATE:
+      return "a date, YEAR-MONTH-DAY, with a year " + bounds;
+    case BOX:
+      return "six numbers, from and to along x, y and z";
     case VECTOR:
       return (this->IsDirection ? "a direction, three numbers" : "three numbers") + unit;
     case CHOICE:
@@ -223,14 +242,18 @@ bool vtkRelievoParameter::IsValue(const std::string& words) const
 std::string vtkRelievoParameter::Set(const std::vector<double>& values) const
 {
   bool good = static_cast<int>(values.size()) == this->GetNumberOfComponents();
+  const bool isWhole = this->Type == WHOLE || this->Type == CHOICE || this->Type == FLAG ||
+    this->Type == SIZE || this->Type == DATE;
   std::string given;
-  for (double value : values)
+  for (std::size_t i = 0; i < values.size(); ++i)
   {
-    good = good && std::isfinite(value) && value >= this->Least && value <= this->Most;
-    good = good && !(this->Open && (value == this->Least || value == this->Most));
-    good = good &&
-      ((this->Type != WHOLE && this->Type != CHOICE && this->Type != FLAG && this->Type != SIZE) ||
-        value == std::floor(value));
+    const bool isDayOrMonth = this->Type == DATE && i > 0;
+    const double least = isDayOrMonth ? 1.0 : this->Least;
+    const double most = !isDayOrMonth ? this->Most : i == 1 ? 12.0 : 31.0;
+    const double value = values[i];
+    good = good && std::isfinite(value) && value >= least && value <= most;
+    good = good && !(this->Open && (value == least || value == most));
+    good = good && (!isWhole || value == std::floor(value));
     given += (given.empty() ? "" : ",") + Write(value);
   }
   good = good && (!this->IsDirection || std::any_of(values.begin(), values.end(), [](double v) {
@@ -278,7 +301,8 @@ std::string vtkRelievoParameter::Parse(const std::string& words) const
     return this->Set({ color[0], color[1], color[2] });
   }
   std::vector<double> values;
-  for (const std::string& part : Split(words, this->Type == SIZE ? "x" : ",/"))
+  const std::string between = this->Type == SIZE ? "x" : this->Type == DATE ? "-" : ",/";
+  for (const std::string& part : Split(words, between))
   {
     double value = 0.0;
     if (!ReadNumber(part, value))

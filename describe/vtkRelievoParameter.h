@@ -25,6 +25,8 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
     PAIR,   // two finite numbers
     VECTOR, // three finite numbers
     SIZE,   // whole numbers from Least to Most, with x between them
+    DATE,   // year from Least to Most, month and day
+    BOX,    // six finite numbers: from and to along x, y and z
     TEXT
   };
 
@@ -39,6 +41,7 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
   std::string Default; // of a new stage, formatted by Format
   std::vector<std::string> Choices;
   std::vector<std::string> ChoiceLabels; // of each choice; empty: their names
+  int FirstChoice = 0;                   // the number of Choices[0] in the owner's methods
   bool IsDirection = false;              // for a vector: not 0 0 0
   bool IsLinear = false; // for a colour: numbers are linear light, names and #rrggbb sRGB
   double Usual = 0.0;    // upper end of a slider; 0: Most

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoParameterList.h"
 
+#include "vtkRelievoParameter.h"
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -19,6 +22,35 @@ vtkRelievoParameter Make(const std::string& name, vtkRelievoParameter::Types typ
   parameter.Help = help;
   return parameter;
 }
+
+template <int N>
+void SetWholes(
+  vtkRelievoParameter& parameter, const int (&value)[N], const std::function<void(const int*)>& set)
+{
+  parameter.GetValues = [&value]() { return std::vector<double>(value, value + N); };
+  parameter.SetValues = [set](const std::vector<double>& given) {
+    int numbers[N];
+    std::transform(given.begin(), given.end(), numbers,
+      [](double number) { return static_cast<int>(std::lround(number)); });
+    set(numbers);
+  };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoParameterList::vtkRelievoParameterList() = default;
+vtkRelievoParameterList::~vtkRelievoParameterList() = default;
+vtkRelievoParameterList::vtkRelievoParameterList(const vtkRelievoParameterList&) = default;
+vtkRelievoParameterList::vtkRelievoParameterList(vtkRelievoParameterList&&) noexcept = default;
+vtkRelievoParameterList& vtkRelievoParameterList::operator=(
+  const vtkRelievoParameterList&) = default;
+vtkRelievoParameterList& vtkRelievoParameterList::operator=(
+  vtkRelievoParameterList&&) noexcept = default;
+
+//------------------------------------------------------------------------------
+int vtkRelievoParameterList::GetNumber() const
+{
+  return static_cast<int>(this->Parameters.size());
 }
 
 //------------------------------------------------------------------------------
@@ -128,6 +160,17 @@ vtkRelievoParameter& vtkRelievoParameterList::AddWhole(const std::string& name, 
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoParameter& vtkRelievoParameterList::AddWhole(const std::string& name,
+  const long long& value, std::function<void(long long)> set, double least, double most,
+  const std::string& unit, const std::string& help)
+{
+  vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::WHOLE, least, most, unit, help);
+  parameter.GetValues = [&value]() { return std::vector<double>{ double(value) }; };
+  parameter.SetValues = [set](const std::vector<double>& v) { set(std::llround(v[0])); };
+  return this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoParameter& vtkRelievoParameterList::AddNumber(const std::string& name,
   const double& value, std::function<void(double)> set, double least, double most,
   const std::string& unit, const std::string& help)
@@ -140,13 +183,18 @@ vtkRelievoParameter& vtkRelievoParameterList::AddNumber(const std::string& name,
 
 //------------------------------------------------------------------------------
 vtkRelievoParameter& vtkRelievoParameterList::AddChoice(const std::string& name, const int& value,
-  std::function<void(int)> set, const std::vector<std::string>& choices, const std::string& help)
+  std::function<void(int)> set, const std::vector<std::string>& choices, const std::string& help,
+  int first)
 {
   vtkRelievoParameter parameter =
     Make(name, vtkRelievoParameter::CHOICE, 0.0, double(choices.size()) - 1.0, "", help);
   parameter.Choices = choices;
-  parameter.GetValues = [&value]() { return std::vector<double>{ double(value) }; };
-  parameter.SetValues = [set](const std::vector<double>& v) { set(int(std::lround(v[0]))); };
+  parameter.FirstChoice = first;
+  parameter.GetValues = [&value, first]() { return std::vector<double>{ double(value - first) }; };
+  parameter.SetValues = [set, first](const std::vector<double>& v) {
+    constexpr double most = std::numeric_limits<int>::max();
+    set(static_cast<int>(std::min(std::round(v[0]) + first, most)));
+  };
   return this->Add(parameter);
 }
 
@@ -185,16 +233,44 @@ vtkRelievoParameter& vtkRelievoParameterList::AddVector(const std::string& name,
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoParameter& vtkRelievoParameterList::AddBox(const std::string& name,
+  const double (&value)[6], std::function<void(const double*)> set, const std::string& help)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  vtkRelievoParameter parameter =
+    Make(name, vtkRelievoParameter::BOX, -infinity, infinity, "", help);
+  parameter.GetValues = [&value]() { return std::vector<double>(value, value + 6); };
+  parameter.SetValues = [set](const std::vector<double>& v) { set(v.data()); };
+  return this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoParameter& vtkRelievoParameterList::AddSize(const std::string& name,
+  const int (&value)[2], std::function<void(const int*)> set, int least, const std::string& help)
+{
+  vtkRelievoParameter parameter =
+    Make(name, vtkRelievoParameter::SIZE, least, std::numeric_limits<int>::max(), "", help);
+  SetWholes(parameter, value, set);
+  return this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoParameter& vtkRelievoParameterList::AddSize(const std::string& name,
   const int (&value)[3], std::function<void(const int*)> set, int least, const std::string& help)
 {
   vtkRelievoParameter parameter =
     Make(name, vtkRelievoParameter::SIZE, least, std::numeric_limits<int>::max(), "", help);
-  parameter.GetValues = [&value]() { return std::vector<double>(value, value + 3); };
-  parameter.SetValues = [set](const std::vector<double>& v) {
-    const int size[] = { int(std::lround(v[0])), int(std::lround(v[1])), int(std::lround(v[2])) };
-    set(size);
-  };
+  SetWholes(parameter, value, set);
+  return this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoParameter& vtkRelievoParameterList::AddDate(const std::string& name,
+  const int (&value)[3], std::function<void(const int*)> set, int least, int most,
+  const std::string& help)
+{
+  vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::DATE, least, most, "", help);
+  SetWholes(parameter, value, set);
   return this->Add(parameter);
 }
 

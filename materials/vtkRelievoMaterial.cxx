@@ -22,6 +22,7 @@
 #include "vtkRelievoMaterialEye.h"
 #include "vtkRelievoMaterialMap.h"
 #include "vtkRelievoMaterialSplice.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPassKeys.h"
 #include "vtkRelievoReflection.h"
 #include "vtkRelievoReportOnce.h"

@@ -34,6 +34,7 @@
 #include "vtkRelievoAnnotation.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoLayerLegend.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoScaleBar.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolume.h"

@@ -46,6 +46,7 @@
 #include "vtkRelievoGltfWriter.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoRayLayers.h"
 #include "vtkRelievoShadowCertificate.h"

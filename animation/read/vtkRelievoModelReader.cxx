@@ -27,6 +27,7 @@
 #include "vtkRelievoModelPlayback.h"
 #include "vtkRelievoModelPose.h"
 #include "vtkRelievoModelSources.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoReportOnce.h"
 #include "vtkRelievoSkinNames.h"
 #include "vtkRelievoSkinPoints.h"

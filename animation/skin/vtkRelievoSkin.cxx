@@ -3,6 +3,7 @@
 #include "vtkRelievoSkin.h"
 
 #include "vtkRelievoErrorOnce.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoSkinPoints.h"
 
 #include "vtkInformation.h"

@@ -4,6 +4,7 @@
 
 #include "Errors.h"
 
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoParameterList.h"
 
 #include <algorithm>

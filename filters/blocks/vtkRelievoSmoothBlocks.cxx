@@ -7,6 +7,7 @@
 #include "vtkRelievoBlockInput.h"
 #include "vtkRelievoBlockMesh.h"
 #include "vtkRelievoMemory.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPrecision.h"
 
 #include "vtkDataSetAttributes.h"
@@ -66,6 +67,8 @@ vtkRelievoSmoothBlocks::vtkRelievoSmoothBlocks()
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
   vtkRelievoParameterList& list = this->Parameters;
+  list.AddWhole("air_label", vtkRelievoMember(AirLabel), -infinity, infinity, "",
+    "The label of air, which has no surface.");
   list.AddNumber("strength", vtkRelievoMember(Strength), 0.0, 0.25, "blocks",
     "Movement of vertices. 0 leaves cubes, 0.125 makes a step a slope of 45 degrees.");
   list.AddChoice("surface", vtkRelievoMember(Surface), { "outside", "between_labels" },
@@ -92,11 +95,20 @@ vtkRelievoSmoothBlocks::vtkRelievoSmoothBlocks()
     .Advanced = true;
   list.AddWhole("noise_seed", vtkRelievoMember(NoiseSeed), least, most, "", "Seed of the noise.")
     .Advanced = true;
+  vtkRelievoParameter& noise = list.AddChoice("noise_dimensions", vtkRelievoMember(NoiseDimensions),
+    { "ground_plane", "also_by_height" }, "Whether the noise also depends on height.", 2);
+  noise.Advanced = true;
   list.AddFlag("texture_coordinates", vtkRelievoMember(TextureCoordinates),
     "Whether points have texture coordinates, which keep all lengths.");
   list
     .AddNumber("tile_size", vtkRelievoMember(TileSize), 0.0, infinity, "",
       "Size of one copy of the texture, in the data's units; 0 is the longest side of a block.")
+    .Advanced = true;
+  list
+    .AddSize(
+      "atlas", this->Atlas, [this](const int* tiles) { this->SetAtlas(tiles); }, 0,
+      "Columns and rows of a texture with a tile for each label, from the lower left; 0 and 0: "
+      "textures repeat.")
     .Advanced = true;
   list
     .AddFlag("material_weights", vtkRelievoMember(MaterialWeights),

@@ -3,6 +3,7 @@
 #include "vtkRelievoCaveFunction.h"
 
 #include "vtkRelievoCaveField.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoParameterList.h"
 
 #include "vtkObjectFactory.h"

@@ -6,6 +6,7 @@
 #include "vtkRelievoCaveFunction.h"
 #include "vtkRelievoCaveImage.h"
 #include "vtkRelievoMemory.h"
+#include "vtkRelievoParameter.h"
 
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"

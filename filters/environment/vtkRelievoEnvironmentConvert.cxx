@@ -3,6 +3,7 @@
 #include "vtkRelievoEnvironmentConvert.h"
 
 #include "vtkRelievoEnvironmentImage.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoWholeImage.h"
 
 #include "vtkErrorCode.h"
@@ -34,6 +35,8 @@ vtkRelievoEnvironmentConvert::vtkRelievoEnvironmentConvert()
   vtkRelievoParameterList& list = this->Parameters;
   relievo::DescribeEnvironmentInput(list, vtkRelievoMember(InputProjection),
     vtkRelievoMember(InputSRGB), vtkRelievoMember(InputMirrored));
+  list.AddChoice("output_projection", vtkRelievoMember(OutputProjection),
+    { "equirectangular", "cube", "sphere_map" }, "The projection of the output.", EQUIRECTANGULAR);
   list.AddWhole("output_size", vtkRelievoMember(OutputSize), 0, 32768, "texels",
     "Height of an equirectangular image, width of a face or a sphere map. 0 keeps the input's "
     "detail.");

@@ -3,6 +3,7 @@
 #include "vtkRelievoEnvironmentImage.h"
 
 #include "vtkRelievoArrayNames.h"
+#include "vtkRelievoParameter.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

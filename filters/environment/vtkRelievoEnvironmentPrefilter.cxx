@@ -5,6 +5,7 @@
 #include "vtkRelievoCubePyramid.h"
 #include "vtkRelievoEnvironmentConvert.h"
 #include "vtkRelievoEnvironmentImage.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoWholeImage.h"
 
 #include "vtkCompositeDataSet.h"

@@ -4,6 +4,7 @@
 
 #include "vtkRelievoArrayNames.h"
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoWholeImage.h"
 
 #include "vtkArrayDispatch.h"

@@ -3,6 +3,7 @@
 #include "vtkRelievoTangents.h"
 
 #include "vtkRelievoArrayNames.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoSplitPoints.h"
 #include "vtkRelievoTangentSpace.h"
 

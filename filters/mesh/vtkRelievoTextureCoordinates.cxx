@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoTextureCoordinates.h"
 
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoSplitPoints.h"
 
 #include "vtkCellArray.h"

@@ -4,6 +4,7 @@
 
 #include "vtkRelievoAbort.h"
 #include "vtkRelievoMemory.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoParticleInputs.h"
 #include "vtkRelievoParticleOutput.h"
 #include "vtkRelievoParticleStart.h"
@@ -232,6 +233,8 @@ vtkRelievoSurfaceParticles::vtkRelievoSurfaceParticles()
     "field_array", [this] { return this->FieldArray; },
     [this](const std::string& array) { this->SetFieldArray(array.c_str()); },
     "The name of an array of 3 components, at points or cells, that is also added. Empty: none.");
+  list.AddWhole("number_of_particles", vtkRelievoMember(NumberOfParticles), 0.0, infinity, "",
+    "Number of particles if no points are given.");
   list.AddWhole("resolution", vtkRelievoMember(Resolution), 1, 16384, "texels",
     "Texels of the depth maps along the longest side. Particles are within one of the surface.");
   list.AddWhole(

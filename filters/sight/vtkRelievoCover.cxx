@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoAbort.h"
 #include "vtkRelievoMemory.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoRayScene.h"
 #include "vtkRelievoRayTree.h"
 #include "vtkRelievoSurfacePlaces.h"

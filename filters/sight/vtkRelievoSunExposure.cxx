@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoAbort.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoRayScene.h"
 #include "vtkRelievoSkyModel.h"
 #include "vtkRelievoSkyPatches.h"
@@ -38,6 +39,7 @@ vtkStandardNewMacro(vtkRelievoSunExposure);
 namespace
 {
 constexpr double HoursOfDay = 24.0;
+constexpr int FirstYear = 1, LastYear = 9999;
 constexpr int MostDays = 366 * 200;
 
 using Vector = vtkRelievoSurfacePlaces::Vector;
@@ -208,6 +210,12 @@ void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& v
 vtkRelievoSunExposure::vtkRelievoSunExposure()
 {
   vtkRelievoParameterList& list = this->Parameters;
+  list.AddDate(
+    "first_day", this->FirstDay, [this](const int* day) { this->SetFirstDay(day); }, FirstYear,
+    LastYear, "The first day, from midnight of the clock.");
+  list.AddDate(
+    "last_day", this->LastDay, [this](const int* day) { this->SetLastDay(day); }, FirstYear,
+    LastYear, "The last day, which counts as well.");
   list.AddNumber(
     "latitude", this->Latitude, [this](double degrees) { this->SetLatitude(degrees); }, -90.0, 90.0,
     "degrees", "North is positive.");

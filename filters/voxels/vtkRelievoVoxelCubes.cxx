@@ -5,6 +5,7 @@
 #include "vtkRelievoAbort.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoMemory.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPrecision.h"
 #include "vtkRelievoReserve.h"
 #include "vtkRelievoThreads.h"

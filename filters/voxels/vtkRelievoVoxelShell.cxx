@@ -4,6 +4,7 @@
 
 #include "vtkRelievoAbort.h"
 #include "vtkRelievoMemory.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRelievoVoxelDepths.h"
 #include "vtkRelievoVoxelFit.h"
@@ -118,6 +119,11 @@ vtkRelievoVoxelShell::vtkRelievoVoxelShell()
   list
     .AddSize("dimensions", vtkRelievoMember(Dimensions), 0,
       "Cells along x, y and z; 0 0 0: set by Cell Size or Resolution.")
+    .Advanced = true;
+  list
+    .AddBox("bounds", vtkRelievoMember(Bounds),
+      "The box of the grid, from and to along x, y and z; while a pair is not in order, the "
+      "input's bounds.")
     .Advanced = true;
   list.AddWhole("padding", vtkRelievoMember(Padding), 0, 1000000, "", "Cells added on each side.")
     .Advanced = true;

@@ -17,6 +17,7 @@
 #include "vtkRelievoEXRInput.h"
 #include "vtkRelievoEXRThreads.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoParameter.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>

@@ -13,6 +13,7 @@
 #include "vtkRelievoEXROutput.h"
 #include "vtkRelievoEXRStream.h"
 #include "vtkRelievoEXRThreads.h"
+#include "vtkRelievoParameter.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <OpenEXR/Iex.h>

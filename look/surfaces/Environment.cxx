@@ -15,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoEnvironmentLight.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoSkybox.h"
 #include "vtkRenderer.h"
 

@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoMaterial.h"
+#include "vtkRelievoParameter.h"
 
 #include <algorithm>
 #include <iterator>

@@ -10,6 +10,7 @@
 #include "LookNames.h"
 #include "Values.h"
 
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoParameterList.h"
 
 #include <optional>

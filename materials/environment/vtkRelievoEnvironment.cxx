@@ -8,6 +8,7 @@
 #include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkRelievoEnvironmentTextures.h"
+#include "vtkRelievoParameter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "vtkRelievoLamps.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkRelievoParameter.h"
 
 #include <algorithm>
 #include <limits>

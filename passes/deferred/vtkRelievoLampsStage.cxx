@@ -13,6 +13,7 @@
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLampLight.h"
 #include "vtkRelievoLamps.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoResource.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoTellVolumes.h"

@@ -3,6 +3,7 @@
 #include "vtkRelievoFrameReport.h"
 
 #include "vtkRelievoGpuTimer.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoStage.h"
 #include "vtkRenderer.h"
 

@@ -17,6 +17,7 @@
 #include "vtkRelievoLampMaps.h"
 #include "vtkRelievoLightMaps.h"
 #include "vtkRelievoMessagesOnce.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPlainActor.h"
 #include "vtkRelievoShadowCatcher.h"
 #include "vtkRelievoShadowCertificate.h"

@@ -15,6 +15,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoReportOnce.h"
 #include "vtkRelievoResource.h"
 #include "vtkRelievoScreenQuad.h"

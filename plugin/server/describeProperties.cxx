@@ -14,8 +14,7 @@
 // description of the layers, @layers: count@ by the number of values in a selection of layers, and
 // @layers: A B@ by the values of a selection of A and B, A first; @images@ and @models@ by the
 // extensions of their files. The templates themselves have inputs, files, switches that only the
-// view has, and values of types that no description has: lists, boxes, dates, two whole numbers,
-// 64-bit numbers, and choices that are not numbered from 0.
+// view has, and lists.
 #include "vtkNew.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkPVRelievoVisibility.h"
@@ -35,6 +34,7 @@
 #include "vtkRelievoMarkers.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkRelievoModelReader.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
 #include "vtkRelievoShadowStage.h"
@@ -84,7 +84,11 @@ std::string FormatDefault(const vtkRelievoParameter& parameter)
   std::string words = parameter.Format();
   if (parameter.Type == P::FLAG || parameter.Type == P::CHOICE)
   {
-    words = std::to_string(static_cast<int>(parameter.GetValues()[0]));
+    words = std::to_string(parameter.FirstChoice + static_cast<int>(parameter.GetValues()[0]));
+  }
+  else if (parameter.Type == P::DATE)
+  {
+    std::replace(words.begin(), words.end(), '-', ' ');
   }
   else if (parameter.Type != P::TEXT)
   {
@@ -95,9 +99,13 @@ std::string FormatDefault(const vtkRelievoParameter& parameter)
 }
 
 // Turns "blue noise" into "Blue Noise", and for filters into "Blue noise", the name in existing
-// scripts.
+// scripts. Labels with a capital stay.
 std::string WriteChoice(const std::string& label, bool ofFilter)
 {
+  if (std::any_of(label.begin(), label.end(), [](char c) { return c >= 'A' && c <= 'Z'; }))
+  {
+    return label;
+  }
   if (ofFilter)
   {
     return vtkRelievoCapitalize(label, true);
@@ -218,7 +226,8 @@ std::string MakeDomain(const vtkRelievoParameter& parameter, const Described& de
     out << "        <EnumerationDomain name=\"enum\">\n";
     for (std::size_t i = 0; i < parameter.Choices.size(); ++i)
     {
-      out << "          <Entry value=\"" << i << "\" text=\""
+      out << "          <Entry value=\"" << parameter.FirstChoice + static_cast<int>(i)
+          << "\" text=\""
           << Escape(described.Verbatim
                  ? parameter.Choices[i]
                  : WriteChoice(parameter.GetChoiceLabel(i), described.Command.empty()))
@@ -229,6 +238,11 @@ std::string MakeDomain(const vtkRelievoParameter& parameter, const Described& de
   else if (parameter.Type == P::COLOR)
   {
     out << "        <DoubleRangeDomain name=\"range\" min=\"0 0 0\" max=\"1 1 1\"/>\n";
+  }
+  else if (parameter.Type == P::DATE)
+  {
+    out << "        <IntRangeDomain name=\"range\" min=\"" << parameter.Least << " 1 1\" max=\""
+        << parameter.Most << " 12 31\"/>\n";
   }
   else if (parameter.Type == P::WHOLE || parameter.Type == P::NUMBER || parameter.Type == P::SIZE)
   {
@@ -264,7 +278,7 @@ std::string MakeProperty(const Described& described, const vtkRelievoParameter& 
   using P = vtkRelievoParameter;
   const bool text = parameter.Type == P::TEXT;
   const bool whole = parameter.Type == P::FLAG || parameter.Type == P::WHOLE ||
-    parameter.Type == P::CHOICE || parameter.Type == P::SIZE;
+    parameter.Type == P::CHOICE || parameter.Type == P::SIZE || parameter.Type == P::DATE;
   const std::string kind = text ? "String" : whole ? "Int" : "Double";
   const bool own = described.Command.empty();
   const std::string element = (text || own ? "" : "Relievo") + kind + "VectorProperty";

@@ -13,6 +13,7 @@
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
 #include "vtkRelievoFogSpheres.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
 

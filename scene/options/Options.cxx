@@ -18,6 +18,7 @@
 #include "vtkRelievoCalibration.h"
 #include "vtkRelievoImageFile.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoStageDescription.h"

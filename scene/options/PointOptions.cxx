@@ -6,6 +6,7 @@
 #include "Options.h"
 
 #include "vtkNew.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
 

@@ -6,6 +6,7 @@
 #include "Options.h"
 #include "Presets.h"
 #include "Values.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoStageDescription.h"

@@ -6,6 +6,7 @@
 #include "Options.h"
 
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoParameter.h"
 
 #include <algorithm>
 

@@ -7,6 +7,7 @@
 #include "Values.h"
 
 #include "vtkNew.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 

@@ -17,6 +17,7 @@
 #include <vtkRelievoEnvironmentPrefilter.h>
 #include <vtkRelievoHeightsToNormals.h>
 #include <vtkRelievoMaterial.h>
+#include <vtkRelievoParameter.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoPointStage.h>
 #include <vtkRelievoShadowStage.h>

@@ -12,6 +12,7 @@
 #include "StageGroup.h"
 
 #include "vtkNew.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoStageRegistry.h"

@@ -7,6 +7,7 @@
 #include "Readers.h"
 #include "Values.h"
 
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoParameterList.h"
 
 #include <algorithm>
@@ -22,7 +23,8 @@ std::string MakeUse(const vtkRelievoParameter& parameter)
   using P = vtkRelievoParameter;
   static const std::map<P::Types, std::string> forms = { { P::FLAG, "" }, { P::WHOLE, " N" },
     { P::NUMBER, " N" }, { P::CHOICE, " KIND" }, { P::COLOR, " COLOR" }, { P::PAIR, " A,B" },
-    { P::VECTOR, " X,Y,Z" }, { P::SIZE, " WxHxD" }, { P::TEXT, " TEXT" } };
+    { P::VECTOR, " X,Y,Z" }, { P::SIZE, " WxHxD" }, { P::DATE, " YYYY-MM-DD" },
+    { P::BOX, " X,X,Y,Y,Z,Z" }, { P::TEXT, " TEXT" } };
   std::string name = parameter.Name;
   std::replace(name.begin(), name.end(), '_', '-');
   return "--" + name + forms.at(parameter.Type);

@@ -51,8 +51,9 @@ public:
     this->AddMeshOptions(".vtp");
     this->AddUpOption();
     this->AddParameters(this->Sun->GetParameters(),
-      { { "latitude", "" }, { "longitude", "" }, { "day_step", "" }, { "step", "--step MINUTES" },
-        { "up_axis", "" }, { "sky_samples", "--sky N" }, { "time_zone", "--time-zone HOURS" },
+      { { "latitude", "" }, { "longitude", "" }, { "first_day", "" }, { "last_day", "" },
+        { "day_step", "" }, { "step", "--step MINUTES" }, { "up_axis", "" },
+        { "sky_samples", "--sky N" }, { "time_zone", "--time-zone HOURS" },
         { "weather_file", "--weather FILE.epw" } });
     this->AddPartOption("cells");
   }

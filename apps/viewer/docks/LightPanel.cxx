@@ -12,6 +12,7 @@
 #include "SurfaceOptions.h"
 #include "SurfaceSettings.h"
 #include "SurfaceValues.h"
+#include "vtkRelievoParameter.h"
 
 #include <QCheckBox>
 #include <QFormLayout>

@@ -6,6 +6,7 @@
 #ifndef Labels_h
 #define Labels_h
 
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoParameterList.h"
 
 #include <QString>

@@ -9,6 +9,7 @@
 
 #include "Document.h"
 #include "PointOptions.h"
+#include "vtkRelievoParameter.h"
 
 #include <QString>
 #include <QWidget>

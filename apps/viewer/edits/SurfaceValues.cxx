@@ -8,6 +8,7 @@
 #include "ParameterEdit.h"
 #include "SurfaceOptions.h"
 #include "SurfaceSettings.h"
+#include "vtkRelievoParameter.h"
 
 #include <algorithm>
 #include <string>

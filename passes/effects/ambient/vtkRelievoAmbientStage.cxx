@@ -14,6 +14,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoMeshTexels.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"

@@ -14,6 +14,7 @@
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerColors.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"

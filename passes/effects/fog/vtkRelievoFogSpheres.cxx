@@ -3,6 +3,7 @@
 #include "vtkRelievoFogSpheres.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkRelievoParameter.h"
 
 #include <algorithm>
 #include <limits>

@@ -13,6 +13,7 @@
 #include "vtkRelievoFogSpheres.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoSphereRays.h"

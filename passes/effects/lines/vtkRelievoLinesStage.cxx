@@ -10,6 +10,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoHiddenLines.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"

@@ -3,6 +3,7 @@
 #include "vtkRelievoMarkers.h"
 
 #include "vtkRelievoMovedMesh.h"
+#include "vtkRelievoParameter.h"
 
 #include "vtkActor.h"
 #include "vtkMapper.h"

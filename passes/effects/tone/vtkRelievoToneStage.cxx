@@ -13,6 +13,7 @@
 #include "vtkRelievoFramePass.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLuminanceMeter.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRenderPassCollection.h"

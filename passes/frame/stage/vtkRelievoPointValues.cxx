@@ -16,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkRelievoParameter.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 

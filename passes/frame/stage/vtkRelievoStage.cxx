@@ -3,6 +3,7 @@
 #include "vtkRelievoStage.h"
 
 #include "vtkRelievoDeclaration.h"
+#include "vtkRelievoParameter.h"
 #include "vtkSmartPointer.h"
 
 //------------------------------------------------------------------------------

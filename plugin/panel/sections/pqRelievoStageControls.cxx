@@ -5,6 +5,7 @@
 #include "pqProxyWidget.h"
 #include "pqRelievoScene.h"
 #include "vtkPVRelievoView.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
 #include "vtkSMProperty.h"

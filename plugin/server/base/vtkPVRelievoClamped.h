@@ -8,6 +8,7 @@
 
 #include "vtkObject.h"
 #include "vtkProcessModule.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoParameterList.h"
 
 // With several drawing processes, only the first reports.

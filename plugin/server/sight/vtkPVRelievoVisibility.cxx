@@ -7,6 +7,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkRelievoCalibration.h"
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoParameter.h"
 
 vtkStandardNewMacro(vtkPVRelievoVisibility);
 
@@ -21,6 +22,11 @@ vtkPVRelievoVisibility::vtkPVRelievoVisibility()
   list.AddVector("view_up", vtkRelievoMember(ViewUp), "The direction that is up in its picture.");
   list.AddNumber(
     "view_angle", vtkRelievoMember(ViewAngle), 0.001, 179.0, "degrees", "Its full vertical angle.");
+  list
+    .AddSize("size", vtkRelievoMember(Size), 0,
+      "Columns and rows of its picture; a ray goes through each pixel's centre. 0 and 0: as the "
+      "file of the lens says, or 1024 and 768.")
+    .Most = 16384.0;
   list.AddText(
     "lens", [this]() { return this->Lens; },
     [this](const std::string& words) { this->SetLens(words.c_str()); },

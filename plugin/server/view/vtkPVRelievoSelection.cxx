@@ -5,6 +5,7 @@
 #include "vtkPVRelievoAccess.h"
 #include "vtkPVRelievoPoints.h"
 #include "vtkPVView.h"
+#include "vtkRelievoParameter.h"
 
 //------------------------------------------------------------------------------
 std::vector<vtkRelievoMarkers*> vtkPVRelievoSelection::FindIn(vtkPVView* view)

@@ -4,6 +4,7 @@
 
 #include "vtkLightCollection.h"
 #include "vtkLightKit.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -56,6 +57,23 @@ void vtkPVRelievoSun::DescribePosition()
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   vtkRelievoParameterList& list = this->Description;
+  vtkRelievoParameter& by = list.AddChoice(
+    "by", this->By, [this](int placing) { this->By = placing; }, { "angles", "date_and_place" },
+    "Placement of the sun: by azimuth and elevation, or by date, time and place on Earth. The "
+    "values "
+    "of the other method stay, without effect.");
+  by.Label = "Placed By";
+  by.ChoiceLabels = { "Angles", "Date and place" };
+  const auto setDate = [this](const int* date) {
+    std::copy_n(date, 3, this->Date);
+    this->Position->SetDate(date[0], date[1], date[2]);
+  };
+  setDate(this->Date);
+  list
+    .AddDate("date", this->Date, setDate, 1900, 2100,
+      "Year (1900 to 2100), month and day. A day beyond the end of the month counts on into the "
+      "next.")
+    .OnlyIf = "by=date_and_place";
   const auto add = [this, &list](const char* name, double& value, double least, double most,
                      const char* unit, const char* help) -> vtkRelievoParameter& {
     const auto set = [this, &value](double given) {
@@ -72,18 +90,20 @@ void vtkPVRelievoSun::DescribePosition()
     "Direction of the sun from north, clockwise seen from above: 90 is east, 180 south. North is y "
     "with z up, -z with y up, z with x up, rotated by the property North.");
   azimuth.Usual = 360.0;
-  azimuth.OnlyIf = "by=0";
+  azimuth.OnlyIf = "by=angles";
   add("elevation", this->Elevation, -90.0, 90.0, "degrees",
     "Elevation of the sun above the horizon. A sun below 0 lights from beneath.")
-    .OnlyIf = "by=0";
+    .OnlyIf = "by=angles";
   add(
     "time", this->Time, 0.0, 24.0, "hours", "Clock time: 15.5 is half past three in the afternoon.")
-    .OnlyIf = "by=1";
+    .OnlyIf = "by=date_and_place";
   add("time_zone", this->TimeZone, -12.0, 14.0, "hours",
     "How far the clock is ahead of universal time (UTC), summer time included.")
-    .OnlyIf = "by=1";
-  add("latitude", this->Latitude, -90.0, 90.0, "degrees", "North is positive.").OnlyIf = "by=1";
-  add("longitude", this->Longitude, -180.0, 180.0, "degrees", "East is positive.").OnlyIf = "by=1";
+    .OnlyIf = "by=date_and_place";
+  add("latitude", this->Latitude, -90.0, 90.0, "degrees", "North is positive.").OnlyIf =
+    "by=date_and_place";
+  add("longitude", this->Longitude, -180.0, 180.0, "degrees", "East is positive.").OnlyIf =
+    "by=date_and_place";
   vtkRelievoParameter& north = add("north", this->North, -infinity, infinity, "degrees",
     "By how much the data's north is rotated, clockwise seen from above, from the axis that is "
     "north "
@@ -131,14 +151,14 @@ std::vector<vtkLight*> vtkPVRelievoSun::GetLights()
 //------------------------------------------------------------------------------
 void vtkPVRelievoSun::GetAngles(double angles[2])
 {
-  angles[0] = this->ByDateAndPlace ? this->Position->GetAzimuth() : this->Azimuth;
-  angles[1] = this->ByDateAndPlace ? this->Position->GetElevation() : this->Elevation;
+  angles[0] = this->By == DATE_AND_PLACE ? this->Position->GetAzimuth() : this->Azimuth;
+  angles[1] = this->By == DATE_AND_PLACE ? this->Position->GetElevation() : this->Elevation;
 }
 
 //------------------------------------------------------------------------------
 bool vtkPVRelievoSun::IsNight()
 {
-  return this->ByDateAndPlace && this->Position->GetElevation() <= 0.0;
+  return this->By == DATE_AND_PLACE && this->Position->GetElevation() <= 0.0;
 }
 
 //------------------------------------------------------------------------------

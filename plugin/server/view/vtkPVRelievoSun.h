@@ -22,8 +22,14 @@ public:
   vtkPVRelievoSun(const vtkPVRelievoSun&) = delete;
   void operator=(const vtkPVRelievoSun&) = delete;
 
+  enum Placing
+  {
+    ANGLES = 0,
+    DATE_AND_PLACE = 1
+  };
+
   bool On = false;
-  bool ByDateAndPlace = false; // placed by Position, otherwise by Azimuth and Elevation
+  int By = ANGLES; // the kind of placement
   vtkNew<vtkRelievoSolarPosition> Position;
 
   // The other settings.
@@ -59,6 +65,7 @@ private:
   void PlaceLast(vtkRenderer* renderer, const std::vector<vtkLight*>& wanted);
 
   vtkRelievoParameterList Description;
+  int Date[3] = { 2026, 6, 21 };
   double Azimuth = 150.0;
   double Elevation = 45.0;
   double Time = 15.0;

@@ -25,6 +25,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayersStage.h"
 #include "vtkRelievoMarkersStage.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowStage.h"
 #include "vtkRelievoStage.h"
@@ -440,7 +441,6 @@ void vtkPVRelievoView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "View: " << this->Internal->View.GetPointer() << "\n";
   os << indent << "LightKitCasts: " << this->LightKitCasts << "\n";
   os << indent << "Sun: " << this->Internal->Sun.On << "\n";
-  os << indent << "ByDateAndPlace: " << this->Internal->Sun.ByDateAndPlace << "\n";
   this->Internal->Sun.GetDescription().Print(os, indent.GetNextIndent());
   this->Internal->Sun.Position->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Skybox: " << this->Internal->Environment.Sky << "\n";
@@ -484,22 +484,6 @@ void vtkPVRelievoView::SetLightKitCasts(int casts)
 void vtkPVRelievoView::SetSun(bool on)
 {
   this->GetSunlight().On = on;
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunBy(int placing)
-{
-  this->GetSunlight().ByDateAndPlace = vtkPVRelievoClamped(this, "SunBy", placing, 0, 1) != 0;
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunDate(int year, int month, int day)
-{
-  this->GetSunlight().Position->SetDate(vtkPVRelievoClamped(this, "SunDate", year, 1900, 2100),
-    vtkPVRelievoClamped(this, "SunDate", month, 1, 12),
-    vtkPVRelievoClamped(this, "SunDate", day, 1, 31));
   this->Modified();
 }
 

@@ -66,8 +66,6 @@ public:
    * Default off.
    */
   void SetSun(bool on);
-  void SetSunBy(int placing);
-  void SetSunDate(int year, int month, int day);
   void SetSunValue(const char* parameter, double value);
   void SetSunValue(const char* parameter, double red, double green, double blue);
   ///@}

@@ -227,7 +227,7 @@ def _add(data, name, values):
 _OF_SUN = keywords_of(
     vtkRelievoSunExposure(),
     {"day_step": "every", "up_axis": "up", "sky_samples": "sky"},
-    without=("latitude", "longitude", "time_zone", "weather_file"),
+    without=("latitude", "longitude", "first_day", "last_day", "time_zone", "weather_file"),
 )
 _SUN_SIGNATURE = inspect.Signature(
     keywords(dict.fromkeys(("mesh", "latitude", "longitude", "first"), inspect.Parameter.empty))

@@ -9,6 +9,7 @@
 #include "Options.h"
 #include "SurfaceOptions.h"
 #include "SurfaceValues.h"
+#include "vtkRelievoParameter.h"
 
 #include <QComboBox>
 #include <QFormLayout>

@@ -8,6 +8,7 @@
 #include "PointsEdit.h"
 
 #include "vtkNew.h"
+#include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 
