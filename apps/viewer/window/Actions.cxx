@@ -57,7 +57,7 @@ QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySeq
 QAction* NeedPicture(MainWindow* window, QAction* action)
 {
   const auto follow = [window, action] {
-    action->setEnabled(!window->GetView()->GetPicture().IsEmpty());
+    action->setEnabled(!window->GetView()->IsEmpty());
   };
   QObject::connect(window->GetDocument(), &Document::factsChanged, action, follow);
   follow();

@@ -330,7 +330,7 @@ void MainWindow::Say(const QString& said, bool isTrouble)
   if (isTrouble)
   {
     this->OfFile = false;
-    this->Shown->GetPicture().IsEmpty() ? this->Empty->ShowTrouble(text)
+    this->Shown->IsEmpty() ? this->Empty->ShowTrouble(text)
                                         : this->Message->Show(text, MessageBar::Error);
   }
 }
@@ -743,7 +743,7 @@ void MainWindow::Read()
     this->Meanwhile = this->Good;
     this->SetMeanwhile = false;
   }
-  const bool shown = !this->Shown->GetPicture().IsEmpty();
+  const bool shown = !this->Shown->IsEmpty();
   const bool opened = this->ReadingKey.empty(); // by the user
   this->Asked = this->Edited->Get();
   const bool other = this->Asked.Files != this->BeingRead;
@@ -955,7 +955,7 @@ void MainWindow::Remember()
 // Stores the camera of the displayed files, for undo.
 void MainWindow::KeepView()
 {
-  if (this->Shown->GetPicture().IsEmpty())
+  if (this->Shown->IsEmpty())
   {
     return;
   }

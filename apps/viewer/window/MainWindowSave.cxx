@@ -196,7 +196,7 @@ bool MainWindow::HasEdits() const
     settings.Remove("--time");
     return settings;
   };
-  return !this->Shown->GetPicture().IsEmpty() &&
+  return !this->Shown->IsEmpty() &&
     getEdits(this->Edited->Get()) != getEdits(this->Safe);
 }
 
