@@ -56,9 +56,7 @@ QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySeq
 // An action on the picture, disabled while there is none.
 QAction* NeedPicture(MainWindow* window, QAction* action)
 {
-  const auto follow = [window, action] {
-    action->setEnabled(!window->GetView()->IsEmpty());
-  };
+  const auto follow = [window, action] { action->setEnabled(!window->GetView()->IsEmpty()); };
   QObject::connect(window->GetDocument(), &Document::factsChanged, action, follow);
   follow();
   return action;
@@ -150,6 +148,13 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
         window->SaveLayers(*choice);
       }
     }));
+  NeedPicture(window, Add(menu, window, "Export &glTF...", QKeySequence(), "exportGltf", [window] {
+    const QString path = AskPlace(window, "Export glTF", ".glb");
+    if (!path.isEmpty())
+    {
+      window->ExportGltf(path);
+    }
+  }));
   NeedPicture(
     window, Add(menu, window, "Compare &with...", QKeySequence(), "compareWith", [window] {
       const QString path =

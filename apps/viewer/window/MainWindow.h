@@ -82,6 +82,9 @@ public:
   void SaveLayers(const LayersChoice& choice);
   ///@}
 
+  /// Exports the scene as glTF, with the camera. Throws words::WorkError or words::UsageError.
+  void ExportGltf(const QString& path);
+
   /// Draws the scene with the size of a baseline or picture, and with the camera that a baseline
   /// records, and shows how it differs from the file. Throws words::WorkError.
   void CompareWith(const QString& path);
