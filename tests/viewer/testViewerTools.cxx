@@ -307,7 +307,7 @@ private Q_SLOTS:
     const auto countLeft = [view] { return view->GetPicture().GetFrame()->GetSamplesLeft(); };
     QTRY_COMPARE_WITH_TIMEOUT(countLeft(), 0, 60000);
     QCoreApplication::processEvents(); // the last sample may not have been announced yet
-    QString order; // of samples drawn and of pictures painted
+    QString order;                     // of samples drawn and of pictures painted
     const QObject here;
     QObject::connect(
       view, &viewer::PictureView::drawn, &here, [&] { order += countLeft() == 0 ? 'L' : 'd'; });

@@ -117,7 +117,7 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
   });
   menu->addMenu(recent);
   NeedPicture(window,
-    Add(menu, window, "&Reload", QKeySequence("F5"), "reload", [window] { window->Reload(); }));
+    Add(menu, window, "Reloa&d", QKeySequence("F5"), "reload", [window] { window->Reload(); }));
   NeedPicture(window,
     Add(menu, window, "&Next file in the folder", QKeySequence("PgDown"), "nextFile",
       [window] { window->OpenNext(1); }));
@@ -329,7 +329,7 @@ void AddViewMenu(MainWindow* window)
     { "From l&eft", "Ctrl+1", { 1, 0, 0 }, { 0, 1, 0 } },
     { "From &above", "2", { 0, -1, 0 }, { 0, 0, -1 } },
     { "From &below", "Ctrl+2", { 0, 1, 0 }, { 0, 0, 1 } },
-    { "From the &front", "3", { 0, 0, -1 }, { 0, 1, 0 } },
+    { "From the fr&ont", "3", { 0, 0, -1 }, { 0, 1, 0 } },
     { "From the bac&k", "Ctrl+3", { 0, 0, 1 }, { 0, 1, 0 } } };
   auto* views = new QMenu(window); // of the tool bar
   views->setObjectName("views");
@@ -387,6 +387,7 @@ void AddViewMenu(MainWindow* window)
     [window] { window->setWindowState(window->windowState() ^ Qt::WindowFullScreen); });
   AddAppearance(menu->addMenu("Appeara&nce"));
   AddToolBar(window, menu);
+  menu->addAction(window->findChild<QAction*>("panels"));
   for (QDockWidget* dock : window->findChildren<QDockWidget*>())
   {
     menu->addAction(dock->toggleViewAction());

@@ -21,6 +21,7 @@
 #include "NextFile.h"
 #include "OptionNames.h"
 #include "Options.h"
+#include "PanelSwitch.h"
 #include "Pick.h"
 #include "PictureView.h"
 #include "Progress.h"
@@ -241,6 +242,7 @@ void MainWindow::AddPanels()
   this->tabifyDockWidget(first, comparison);
   comparison->hide(); // until there is one
   first->raise();
+  this->Panels = new PanelSwitch(this);
 }
 
 //------------------------------------------------------------------------------
@@ -610,6 +612,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     return;
   }
   this->Reader->Stop();
+  this->Panels->Open();
   this->KeepLayout();
   this->QMainWindow::closeEvent(event);
 }

@@ -41,6 +41,7 @@ class LayersPanel;
 class LightHandles;
 class LightPanel;
 class MessageBar;
+class PanelSwitch;
 class RecentFiles;
 class ReportPanel;
 class PictureView;
@@ -169,6 +170,7 @@ private:
   LightPanel* Light;
   LayersPanel* Layers;
   ReportPanel* Report;
+  PanelSwitch* Panels;
   ComparisonPanel* Comparison;
   TimeBar* Time;
   RecentFiles* Recent;

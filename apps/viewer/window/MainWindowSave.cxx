@@ -29,6 +29,7 @@
 #include <QClipboard>
 #include <QFileInfo>
 #include <QImage>
+#include <QLabel>
 #include <QMessageBox>
 #include <QProgressDialog>
 
