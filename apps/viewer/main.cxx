@@ -110,8 +110,8 @@ void EndAfterPicture(viewer::MainWindow& window, const std::string& session)
   }
   viewer::PictureView* view = window.GetView();
   const auto drawn = std::make_shared<bool>(false);
-  QObject::connect(view, &viewer::PictureView::drawn, qApp,
-    [view, drawn] { *drawn = !view->IsEmpty(); });
+  QObject::connect(
+    view, &viewer::PictureView::drawn, qApp, [view, drawn] { *drawn = !view->IsEmpty(); });
   // Called when the picture is on the screen.
   QObject::connect(view, &QOpenGLWidget::frameSwapped, qApp, [view, drawn] {
     if (*drawn)

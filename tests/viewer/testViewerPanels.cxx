@@ -17,6 +17,7 @@
 #include "vtkRelievoStageRegistry.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -328,15 +329,17 @@ private Q_SLOTS:
       return 1.0 - 1.0 * this->Window->centralWidget()->width() / this->Window->width();
     };
     auto* look = this->Window->findChild<QDockWidget*>("look");
+    auto* panels = this->Window->findChild<QAction*>("panels");
+    QCOMPARE(panels->shortcut(), QKeySequence(Qt::Key_F9));
     QTRY_VERIFY(getShare() <= 0.3);
-    QTest::keyClick(this->Window.get(), Qt::Key_F9);
+    panels->trigger();
     QTRY_VERIFY(getShare() > 0.3);
     QVERIFY(this->Window->findChild<QDockWidget*>("scene")->isVisible());
     look->raise();
     QTRY_VERIFY(!look->visibleRegion().isEmpty());
-    QTest::keyClick(this->Window.get(), Qt::Key_F9);
+    panels->trigger();
     QTRY_VERIFY(getShare() <= 0.3);
-    QTest::keyClick(this->Window.get(), Qt::Key_F9);
+    panels->trigger();
     QTRY_VERIFY(!look->visibleRegion().isEmpty()); // the panel that was shown last
     this->Window->resize(1280, 800);
     QTRY_VERIFY(getShare() <= 0.3 && !look->isHidden());
@@ -345,7 +348,7 @@ private Q_SLOTS:
     this->Window->resize(1280, 800);
     QTRY_VERIFY(!look->isHidden());
     // Hidden by the user, they stay hidden.
-    QTest::keyClick(this->Window.get(), Qt::Key_F9);
+    panels->trigger();
     this->Window->resize(800, 480);
     QTRY_COMPARE(this->Window->width(), 800);
     this->Window->resize(1280, 800);

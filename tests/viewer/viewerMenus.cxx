@@ -3,9 +3,9 @@
 //
 // How soon a menu responds while the viewer gathers samples:
 //   viewerMenus COUNT WORD...
-// The words are those of relievo-viewer. A thread presses a key at a random moment of the gathering;
-// measured is the time until the menu is painted. Prints the milliseconds, sorted, and the share
-// within 100 ms.
+// The words are those of relievo-viewer. A thread presses a key at a random moment of the
+// gathering; measured is the time until the menu is painted. Prints the milliseconds, sorted, and
+// the share within 100 ms.
 #include "Application.h"
 #include "MainWindow.h"
 #include "Messages.h"

@@ -333,7 +333,7 @@ void MainWindow::Say(const QString& said, bool isTrouble)
   {
     this->OfFile = false;
     this->Shown->IsEmpty() ? this->Empty->ShowTrouble(text)
-                                        : this->Message->Show(text, MessageBar::Error);
+                           : this->Message->Show(text, MessageBar::Error);
   }
 }
 

@@ -59,6 +59,7 @@ QList<QDockWidget*> PanelSwitch::FindDocked() const
 void PanelSwitch::Hide()
 {
   this->Hidden.clear();
+  this->Top = nullptr;
   for (QDockWidget* dock : this->FindDocked())
   {
     this->Hidden += dock;
@@ -66,6 +67,10 @@ void PanelSwitch::Hide()
     {
       this->Top = dock;
     }
+  }
+  if (!this->Top && !this->Hidden.isEmpty()) // nothing is painted yet
+  {
+    this->Top = this->Hidden.last(); // raised last
   }
   for (QDockWidget* dock : this->Hidden)
   {
