@@ -442,17 +442,16 @@ void OnOutputs(const Outputs& outputs, Work work)
 }
 
 //------------------------------------------------------------------------------
-void WriteGltf(vtkRelievoGltfWriter* writer, const StyledScene& styled,
-  const RenderOptions& options, Outputs& outputs)
+void WriteGltf(
+  vtkRelievoGltfWriter* writer, const StyledScene& styled, int upAxis, const std::string& given)
 {
   writer->SetRenderer(styled.GetRenderer());
-  writer->SetFileName(outputs.Temporary(options.Gltf));
-  writer->SetUpAxis(options.UpAxis);
+  writer->SetUpAxis(upAxis);
   for (const auto& [actor, name] : styled.GetObjectNames())
   {
     writer->SetObjectName(actor, name);
   }
-  Messages::Check(options.Gltf, !writer->Write(), "cannot be written");
+  Messages::Check(given, !writer->Write(), "cannot be written");
   for (int i = 0; i < writer->GetNumberOfNotes(); ++i)
   {
     Messages::Note("--gltf: " + writer->GetNote(i));
@@ -600,7 +599,8 @@ vtkSmartPointer<vtkImageData> DrawFrame(StyledScene& styled, vtkRelievoPass* pas
     if (!options.Gltf.empty()) // last: it draws other frames
     {
       const vtkNew<vtkRelievoGltfWriter> gltf;
-      WriteGltf(gltf, styled, options, outputs);
+      gltf->SetFileName(outputs.Temporary(options.Gltf));
+      WriteGltf(gltf, styled, options.UpAxis, options.Gltf);
     }
     for (const std::string& warning : Messages::TakeWarnings())
     {
@@ -669,8 +669,10 @@ public:
   {
     if (this->IsWanted)
     {
-      OnOutputs(
-        this->File, [this] { WriteGltf(this->Writer, this->Styled, this->Options, this->File); });
+      this->Writer->SetFileName(this->File.Temporary(this->Options.Gltf));
+      OnOutputs(this->File, [this] {
+        WriteGltf(this->Writer, this->Styled, this->Options.UpAxis, this->Options.Gltf);
+      });
       this->File.Commit();
     }
   }
@@ -896,5 +898,16 @@ std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
       " frames were there and are kept");
   }
   return certificate;
+}
+
+//------------------------------------------------------------------------------
+void WriteGltf(const StyledScene& styled, const std::string& path)
+{
+  Outputs outputs;
+  outputs.Add("glTF", path, {});
+  const vtkNew<vtkRelievoGltfWriter> writer;
+  writer->SetFileName(outputs.Temporary(path));
+  OnOutputs(outputs, [&] { WriteGltf(writer, styled, styled.GetOptions().UpAxis, path); });
+  outputs.Commit();
 }
 }

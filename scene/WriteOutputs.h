@@ -42,6 +42,10 @@ std::unique_ptr<Outputs> OpenOutputs(
 std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
   const Settings& settings, const Bands& bands, const std::vector<std::string>& inputs,
   std::unique_ptr<Outputs> outputs, Progress& progress);
+
+/// Writes the scene, drawn in a window, as glTF (.glb). Throws UsageError or WorkError for a place
+/// that cannot be written.
+void WriteGltf(const StyledScene& styled, const std::string& path);
 }
 
 #endif

@@ -110,8 +110,8 @@ void EndAfterPicture(viewer::MainWindow& window, const std::string& session)
   }
   viewer::PictureView* view = window.GetView();
   const auto drawn = std::make_shared<bool>(false);
-  QObject::connect(view, &viewer::PictureView::drawn, qApp,
-    [view, drawn] { *drawn = !view->GetPicture().IsEmpty(); });
+  QObject::connect(
+    view, &viewer::PictureView::drawn, qApp, [view, drawn] { *drawn = !view->IsEmpty(); });
   // Called when the picture is on the screen.
   QObject::connect(view, &QOpenGLWidget::frameSwapped, qApp, [view, drawn] {
     if (*drawn)
@@ -121,7 +121,7 @@ void EndAfterPicture(viewer::MainWindow& window, const std::string& session)
     }
   });
   const auto endInTrouble = [&window, view] {
-    if (view->GetPicture().IsEmpty() && !window.GetTrouble().isEmpty())
+    if (view->IsEmpty() && !window.GetTrouble().isEmpty())
     {
       std::fprintf(
         reading::StandardError(), "relievo-viewer: %s\n", window.GetTrouble().toUtf8().constData());

@@ -29,7 +29,9 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <QAction>
 #include <QDir>
+#include <QDockWidget>
 #include <QFile>
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -209,6 +211,10 @@ void ViewerTest::Open(const std::vector<std::string>& words, const QSize& size)
   this->Window->resize(size);
   this->Window->show();
   QVERIFY(QTest::qWaitForWindowExposed(this->Window.get()));
+  if (this->Window->findChild<QDockWidget*>("scene")->isHidden()) // the window is small
+  {
+    this->Window->findChild<QAction*>("panels")->trigger();
+  }
   this->OpenAgain(words);
 }
 

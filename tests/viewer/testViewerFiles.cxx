@@ -24,6 +24,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QFile>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -157,7 +158,7 @@ private Q_SLOTS:
     QVERIFY_EXCEPTION_THROWN(this->Window->SavePicture({ png, {} }), words::WorkError);
     QVERIFY_EXCEPTION_THROWN(this->Window->SaveLayers({ png, {}, { "depth" } }), words::WorkError);
     const char* const names[] = { "copyCommand", "copyPython", "copyPicture", "resetSettings",
-      "savePicture", "saveLayers", "fit", "look1", "parallel" };
+      "savePicture", "saveLayers", "exportGltf", "fit", "look1", "parallel" };
     for (const char* name : names)
     {
       QVERIFY2(!this->Window->findChild<QAction*>(name)->isEnabled(), name);
@@ -190,7 +191,8 @@ private Q_SLOTS:
   void asksBeforeItOverwrites()
   {
     this->Open({ this->WriteScene() });
-    for (const char* name : { "taken.png", "taken.json", "taken.exr", "v1.2.png", "LOUD.PNG" })
+    for (const char* name :
+      { "taken.png", "taken.json", "taken.exr", "taken.glb", "v1.2.png", "LOUD.PNG" })
     {
       this->WriteText(name, "mine");
     }
@@ -199,7 +201,8 @@ private Q_SLOTS:
       const char *Action, *Typed, *Asked;
     } const rows[] = { { "savePicture", "taken", "taken.png" },
       { "saveSession", "taken", "taken.json" }, { "saveLayers", "taken", "taken.exr" },
-      { "savePicture", "v1.2", "v1.2.png" }, { "savePicture", "LOUD.PNG", "LOUD.PNG" } };
+      { "exportGltf", "taken", "taken.glb" }, { "savePicture", "v1.2", "v1.2.png" },
+      { "savePicture", "LOUD.PNG", "LOUD.PNG" } };
     for (const auto& row : rows)
     {
       QString question, folder;
@@ -273,6 +276,30 @@ private Q_SLOTS:
       (std::vector<int>{ static_cast<int>(std::lround(1000 / ratio)),
         static_cast<int>(std::lround(2000 * ratio)), 2000, 250, 540, scene::LargestSize / 4,
         scene::LargestSize }));
+  }
+
+  // The exported scene is the command's, with the view's camera, and the picture stays.
+  void exportsGltf()
+  {
+    this->Open({ this->WriteScene(), "--color-by", "height", "--preset", "studio" });
+    this->Window->GetView()->GetPicture().LookAlong({ -1.0, -0.5, 0.0 }, { 0.0, 1.0, 0.0 });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    this->Window->ExportGltf(QString::fromStdString(this->Path("shown.glb")));
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    QVERIFY(
+      this->RunCommand(this->Window->GetViewSettings(), { "--gltf", this->Path("command.glb") }));
+    QByteArray bytes[2];
+    for (const auto& [name, i] : { std::pair("shown.glb", 0), std::pair("command.glb", 1) })
+    {
+      QFile file(QString::fromStdString(this->Path(name)));
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      bytes[i] = file.readAll();
+    }
+    QVERIFY(bytes[0].startsWith("glTF") && bytes[0] == bytes[1]);
+    QVERIFY_EXCEPTION_THROWN(
+      this->Window->ExportGltf(QString::fromStdString(this->Path("no/folder.glb"))),
+      std::exception);
   }
 
   // The view keeps its picture while one of another size is drawn.

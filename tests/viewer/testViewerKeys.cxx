@@ -22,6 +22,8 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
@@ -326,6 +328,29 @@ private Q_SLOTS:
           last = focus;
           QVERIFY2(++steps < 200, qPrintable(seen.left(2000)));
         } while (last != this->Window->GetView());
+      }
+    }
+  }
+
+  // Each item of a menu has a letter of its own.
+  void letters()
+  {
+    this->Window = std::make_unique<viewer::MainWindow>();
+    QList<QWidget*> menus{ this->Window->menuBar() };
+    for (QMenu* menu : this->Window->findChildren<QMenu*>())
+    {
+      menus += menu;
+    }
+    QVERIFY(menus.size() > 4);
+    for (const QWidget* menu : menus)
+    {
+      QString letters;
+      for (const QAction* action : menu->actions())
+      {
+        const int at = action->text().indexOf('&');
+        const QChar letter = at < 0 ? QChar() : action->text()[at + 1].toLower();
+        QVERIFY2(at < 0 || !letters.contains(letter), qPrintable(action->text()));
+        letters += letter;
       }
     }
   }

@@ -18,6 +18,7 @@
 #include "vtkRelievoStageRegistry.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -316,6 +317,44 @@ private Q_SLOTS:
     });
     check("tone", "white", false, "where Operator is not simple");
     check("colors", "component", false, "Has an effect on arrays");
+  }
+
+  // Panels leave most of a small window to the picture, until the user shows them.
+  void smallWindow()
+  {
+    this->Window = std::make_unique<viewer::MainWindow>();
+    this->Window->resize(800, 480);
+    this->Window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(this->Window.get()));
+    const auto getShare = [this] { // of the panels
+      return 1.0 - 1.0 * this->Window->centralWidget()->width() / this->Window->width();
+    };
+    auto* look = this->Window->findChild<QDockWidget*>("look");
+    auto* panels = this->Window->findChild<QAction*>("panels");
+    QCOMPARE(panels->shortcut(), QKeySequence(Qt::Key_F9));
+    QTRY_VERIFY(getShare() <= 0.3);
+    panels->trigger();
+    QTRY_VERIFY(getShare() > 0.3);
+    QVERIFY(this->Window->findChild<QDockWidget*>("scene")->isVisible());
+    look->raise();
+    QTRY_VERIFY(!look->visibleRegion().isEmpty());
+    panels->trigger();
+    QTRY_VERIFY(getShare() <= 0.3);
+    panels->trigger();
+    QTRY_VERIFY(!look->visibleRegion().isEmpty()); // the panel that was shown last
+    this->Window->resize(1280, 800);
+    QTRY_VERIFY(getShare() <= 0.3 && !look->isHidden());
+    this->Window->resize(800, 480);
+    QTRY_VERIFY(getShare() <= 0.3 && look->isHidden());
+    this->Window->resize(1280, 800);
+    QTRY_VERIFY(!look->isHidden());
+    // Hidden by the user, they stay hidden.
+    panels->trigger();
+    this->Window->resize(800, 480);
+    QTRY_COMPARE(this->Window->width(), 800);
+    this->Window->resize(1280, 800);
+    QTRY_COMPARE(this->Window->width(), 1280);
+    QVERIFY(look->isHidden());
   }
 
   // Nothing is cut off at the right, with all that can be unfolded.

@@ -11,6 +11,7 @@
 #include "Picture.h"
 #include "Probe.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -30,14 +31,17 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QTextEdit>
+#include <QThread>
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <QtTest>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -300,17 +304,18 @@ private Q_SLOTS:
     QSignalSpy first(view, &viewer::PictureView::drawn);
     view->Draw();
     QVERIFY(first.count() > 0 || first.wait(60000));
-    vtkRelievoPass* frame = view->GetPicture().GetFrame();
-    QTRY_COMPARE_WITH_TIMEOUT(frame->GetSamplesLeft(), 0, 60000);
-    QString order; // of samples drawn and of pictures painted
+    const auto countLeft = [view] { return view->GetPicture().GetFrame()->GetSamplesLeft(); };
+    QTRY_COMPARE_WITH_TIMEOUT(countLeft(), 0, 60000);
+    QCoreApplication::processEvents(); // the last sample may not have been announced yet
+    QString order;                     // of samples drawn and of pictures painted
     const QObject here;
-    QObject::connect(view, &viewer::PictureView::drawn, &here,
-      [&] { order += frame->GetSamplesLeft() == 0 ? 'L' : 'd'; });
+    QObject::connect(
+      view, &viewer::PictureView::drawn, &here, [&] { order += countLeft() == 0 ? 'L' : 'd'; });
     QObject::connect(view, &QOpenGLWidget::frameSwapped, &here, [&] { order += 'p'; });
     view->GetPicture().LookAlong({ -1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
     view->Draw();
     QTRY_VERIFY_WITH_TIMEOUT(order.contains(QRegularExpression("L.*p")), 60000);
-    if (frame->GetSamplesOneByOne())
+    if (view->GetPicture().GetFrame()->GetSamplesOneByOne())
     {
       QVERIFY2(order.count('d') > 2 && !order.mid(1).contains("dd") && !order.contains("dL"),
         qPrintable(order));
@@ -351,6 +356,60 @@ private Q_SLOTS:
     QObject::disconnect(view, nullptr, &menu, nullptr);
     menu.close();
     QTRY_COMPARE_WITH_TIMEOUT(countLeft(), 0, 60000);
+  }
+
+  // A menu opens, and the mouse moves, while a sample is drawn, however long that takes. The window
+  // is painted afterwards. An edit waits for the sample.
+  void menusWhileDrawing()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "shadows:map_size=256" });
+    viewer::PictureView* view = this->Window->GetView();
+    QMenu menu(this->Window.get());
+    menu.addAction("something");
+    QObject::connect(view, &viewer::PictureView::drawn, &menu, [view] {
+      vtkRelievoPass* frame = view->GetPicture().GetFrame();
+      frame->SetSamplesOneByOne(frame->GetSamplesLeft() > 0); // a fast machine draws all at once
+    });
+    struct
+    {
+      QSemaphore Shown;
+      std::atomic<int> Drawn{ 0 }, Late{ 0 };
+    } thread;
+    vtkNew<vtkCallbackCommand> begin;
+    begin->SetClientData(&thread);
+    begin->SetCallback([](vtkObject*, unsigned long, void* data, void*) {
+      auto* known = static_cast<decltype(thread)*>(data);
+      if (QThread::currentThread() != qApp->thread() && known->Drawn++ == 0)
+      {
+        known->Late += known->Shown.tryAcquire(1, 60000) ? 0 : 1;
+      }
+    });
+    const unsigned long observer = view->renderWindow()->AddObserver(vtkCommand::StartEvent, begin);
+    view->GetPicture().LookAlong({ -1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    view->Draw();
+    QTRY_VERIFY_WITH_TIMEOUT(thread.Drawn > 0, 60000);
+    QVERIFY(view->IsDrawing());
+    QSignalSpy composed(view, &QOpenGLWidget::frameSwapped);
+    menu.popup(this->Window->mapToGlobal(QPoint(9, 9)));
+    QVERIFY(QTest::qWaitForWindowExposed(&menu));
+    this->SendMouse(QEvent::MouseMove, QPoint(50, 60), Qt::NoButton);
+    QKeyEvent key(QEvent::KeyPress, Qt::Key_Shift, Qt::NoModifier);
+    QApplication::sendEvent(view, &key);
+    this->Window->Say("Painted later");
+    view->update();
+    QTest::qWait(0);
+    QVERIFY(view->IsDrawing() && !this->Window->GetView()->IsEmpty());
+    QCOMPARE(composed.count(), 0);
+    thread.Shown.release();
+    this->Window->GetDocument()->Change(
+      [](scene::Settings& settings) { settings.Set("--color", "0.3,0.6,0.2"); });
+    QCOMPARE(thread.Late.load(), 0);
+    menu.close();
+    QTRY_VERIFY_WITH_TIMEOUT(composed.count() > 0, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(thread.Drawn > 2, 60000);
+    view->renderWindow()->RemoveObserver(observer);
+    QObject::disconnect(view, nullptr, &menu, nullptr);
+    this->Compare("an edit during a sample");
   }
 
   // Layers are listed by names for people, and arrays as the data have them.

@@ -31,7 +31,7 @@ constexpr int Pause = 2000; // milliseconds, for a step to be seen
 // The remaining steps, one after the other, and then the picture.
 void Go(viewer::MainWindow& window, std::vector<std::string> steps, const char* place)
 {
-  if (!window.GetView()->GetPicture().IsEmpty())
+  if (!window.GetView()->IsEmpty())
   {
     window.GetView()->GetPicture().Grab();
   }

@@ -135,6 +135,15 @@ Sign DrawGrid()
   return sign;
 }
 
+// A window with a filled column.
+Sign DrawPanels()
+{
+  Sign sign;
+  sign.Lines.addRect(3.5, 5, 17, 14);
+  sign.Areas.addRect(14.5, 5, 6, 14);
+  return sign;
+}
+
 // A ball, and below it its shadow.
 Sign DrawShadows()
 {
@@ -165,8 +174,8 @@ const QMap<QString, Sign>& GetSigns()
   static const QMap<QString, Sign> signs = { { "open", DrawOpen() }, { "savePicture", DrawSave() },
     { "copyCommand", DrawCopy() }, { "undo", DrawUndo() }, { "redo", Mirror(DrawUndo()) },
     { "fit", DrawFit() }, { "views", DrawViews() }, { "grid", DrawGrid() },
-    { "shadowsOn", DrawShadows() }, { "fullScreen", DrawFullScreen() }, { "play", DrawPlay() },
-    { "pause", DrawPause() } };
+    { "panels", DrawPanels() }, { "shadowsOn", DrawShadows() }, { "fullScreen", DrawFullScreen() },
+    { "play", DrawPlay() }, { "pause", DrawPause() } };
   return signs;
 }
 

@@ -77,7 +77,7 @@ void LightHandles::Select(int light)
 std::vector<LightHandles::Handle> LightHandles::FindHandles() const
 {
   std::vector<Handle> handles;
-  if (!this->Wanted || this->View->GetPicture().IsEmpty())
+  if (!this->Wanted || this->View->IsEmpty())
   {
     return handles;
   }

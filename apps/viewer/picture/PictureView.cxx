@@ -15,7 +15,7 @@
 #include <QApplication>
 #include <QLabel>
 #include <QMouseEvent>
-#include <QOpenGLExtraFunctions>
+#include <QThread>
 
 #include <algorithm>
 
@@ -26,7 +26,6 @@ namespace
 // Milliseconds
 constexpr int BusyPause = 50;
 constexpr int InputPause = 250; // after the user's last input, if a sample takes long
-constexpr int FencePause = 10;  // until the graphics card is asked again whether it has finished
 constexpr int Patience = 100;   // acceptable delay for opening a menu while samples accumulate
 
 // Time for all samples together, relative to a single one: 13 on llvmpipe, less on GPUs.
@@ -44,6 +43,51 @@ protected:
   MouseStyle() { this->AutoAdjustCameraClippingRangeOff(); }
 };
 vtkStandardNewMacro(MouseStyle);
+
+// Whether an event concerns neither OpenGL nor the scene; menus, tool tips and the mouse's pointer
+// send such events.
+bool IsAside(const QEvent& event)
+{
+  switch (event.type())
+  {
+    case QEvent::MouseMove:
+      return static_cast<const QMouseEvent&>(event).buttons() == Qt::NoButton;
+    case QEvent::ChildAdded:
+    case QEvent::ChildPolished:
+    case QEvent::ChildRemoved:
+    case QEvent::CursorChange:
+    case QEvent::DynamicPropertyChange:
+    case QEvent::Enter:
+    case QEvent::FocusAboutToChange:
+    case QEvent::FocusIn:
+    case QEvent::FocusOut:
+    case QEvent::HoverEnter:
+    case QEvent::HoverLeave:
+    case QEvent::HoverMove:
+    case QEvent::InputMethodQuery:
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+    case QEvent::LayoutRequest:
+    case QEvent::Leave:
+    case QEvent::MetaCall:
+    case QEvent::Paint: // see paintEvent
+    case QEvent::PolishRequest:
+    case QEvent::ShortcutOverride:
+    case QEvent::StatusTip:
+    case QEvent::Timer:
+    case QEvent::ToolTip:
+    case QEvent::UpdateLater:
+    case QEvent::UpdateRequest:
+    case QEvent::WindowActivate:
+    case QEvent::WindowBlocked:
+    case QEvent::WindowDeactivate:
+    case QEvent::WindowUnblocked:
+    case QEvent::ZOrderChange:
+      return true;
+    default:
+      return false;
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -57,6 +101,7 @@ QSurfaceFormat PictureView::GetFormat()
 //------------------------------------------------------------------------------
 PictureView::PictureView(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
+  , Sample(this)
 {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
@@ -83,7 +128,11 @@ PictureView::PictureView(QWidget* parent)
   });
   this->Beginning = window->AddObserver(vtkCommand::StartEvent, begin);
   this->Soon.setSingleShot(true);
-  QObject::connect(&this->Soon, &QTimer::timeout, this, [this] { this->renderWindow()->Render(); });
+  QObject::connect(&this->Soon, &QTimer::timeout, this, [this] {
+    this->TakeBack();
+    this->renderWindow()->Render();
+  });
+  QObject::connect(&this->Sample, &QThread::finished, this, &PictureView::ShowSample);
   this->Holding->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   window->AddObserver(vtkCommand::WindowFrameEvent, this->Holding, 1.0F); // before the widget's
   qApp->installEventFilter(this);
@@ -94,11 +143,11 @@ PictureView::PictureView(QWidget* parent)
 //------------------------------------------------------------------------------
 PictureView::~PictureView()
 {
+  this->TakeBack();
   this->renderWindow()->RemoveObservers(vtkCommand::EndEvent);
   this->renderWindow()->RemoveObserver(this->Beginning);
   this->renderWindow()->RemoveObserver(this->Holding);
   this->makeCurrent();
-  this->DropFence();
   this->Shown.reset();
   this->doneCurrent();
 }
@@ -125,6 +174,11 @@ void PictureView::LetLinesBeWide()
 //------------------------------------------------------------------------------
 void PictureView::OnDrawn()
 {
+  if (QThread::currentThread() != this->thread())
+  {
+    return; // see ShowSample
+  }
+  this->Untold = false;
   vtkRelievoPass* frame = this->Shown ? this->Shown->GetFrame() : nullptr;
   const int left = frame ? frame->GetSamplesLeft() : 0;
   if (left > 0 && left >= this->SamplesLeft) // this was the first sample
@@ -141,17 +195,36 @@ void PictureView::OnDrawn()
 void PictureView::SetHurried(bool on)
 {
   this->Hurried = on;
-  if (on && this->Shown->GetFrame())
+  if (vtkRelievoPass* frame = this->GetPicture().GetFrame(); on && frame)
   {
-    this->Shown->GetFrame()->SamplesOneByOneOff();
+    frame->SamplesOneByOneOff();
   }
 }
 
 //------------------------------------------------------------------------------
+bool PictureView::event(QEvent* event)
+{
+  if (!IsAside(*event))
+  {
+    this->TakeBack();
+  }
+  return this->QVTKOpenGLNativeWidget::event(event);
+}
+
+//------------------------------------------------------------------------------
+// Painting the window composes it with the picture in OpenGL, which waits for the sample; menus and
+// tool tips are windows of their own.
 bool PictureView::eventFilter(QObject* watched, QEvent* event)
 {
   switch (event->type())
   {
+    case QEvent::UpdateRequest:
+      if (watched == this->window() && this->Sample.IsLent())
+      {
+        this->Unpainted = true;
+        return true;
+      }
+      break;
     case QEvent::KeyPress:
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonRelease:
@@ -167,23 +240,10 @@ bool PictureView::eventFilter(QObject* watched, QEvent* event)
 
 //------------------------------------------------------------------------------
 // Draws the remaining samples, unless the user has a menu open, drags, or has just acted: input
-// takes precedence. A slow sample is given to OpenGL, and the window is painted when OpenGL has
-// drawn it: painting would wait for it, and so would the user's input.
+// takes precedence.
 void PictureView::GoOn()
 {
-  if (this->Fence)
-  {
-    this->makeCurrent();
-    QOpenGLExtraFunctions* gl = this->context()->extraFunctions();
-    if (gl->glClientWaitSync(static_cast<GLsync>(this->Fence), 0, 0) == GL_TIMEOUT_EXPIRED)
-    {
-      this->Rest.start(FencePause);
-      return;
-    }
-    this->DropFence();
-    this->ShowSample();
-    return;
-  }
+  this->TakeBack();
   vtkRelievoPass* frame = this->Shown->GetFrame();
   const bool slow = frame && frame->GetSamplesOneByOne();
   const bool busy = QApplication::activePopupWidget() ||
@@ -192,35 +252,51 @@ void PictureView::GoOn()
   if (busy)
   {
     this->Rest.start(BusyPause);
-    return;
   }
-  this->Holding->SetAbortFlagOnExecute(slow);
-  this->renderWindow()->Render();
-  this->Holding->SetAbortFlagOnExecute(false);
-  if (slow)
+  else if (slow && SampleThread::IsPossible())
   {
-    this->makeCurrent();
-    QOpenGLExtraFunctions* gl = this->context()->extraFunctions();
-    this->Fence = gl->glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl->glFlush();
-    this->Fence ? this->Rest.start(FencePause) : this->ShowSample(); // OpenGL may refuse a fence
+    this->Holding->AbortFlagOnExecuteOn();
+    this->Untold = true;
+    this->Sample.Lend();
+  }
+  else
+  {
+    this->renderWindow()->Render();
   }
 }
 
 //------------------------------------------------------------------------------
+// Waits for a sample that the thread draws. ShowSample follows.
+void PictureView::TakeBack()
+{
+  if (this->Sample.IsLent())
+  {
+    this->Sample.TakeBack();
+    this->Holding->AbortFlagOnExecuteOff();
+    if (this->Unpainted)
+    {
+      this->Unpainted = false;
+      QCoreApplication::postEvent(this->window(), new QEvent(QEvent::UpdateRequest));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+Picture& PictureView::GetPicture()
+{
+  this->TakeBack();
+  return *this->Shown;
+}
+
+//------------------------------------------------------------------------------
+// Another picture may have been drawn since.
 void PictureView::ShowSample()
 {
-  this->update();
-  this->SamplesLeft > 0 ? this->Rest.start(0) : this->Rest.stop(); // after painting
-}
-
-//------------------------------------------------------------------------------
-void PictureView::DropFence()
-{
-  if (this->Fence)
+  this->TakeBack();
+  if (this->Untold)
   {
-    this->context()->extraFunctions()->glDeleteSync(static_cast<GLsync>(this->Fence));
-    this->Fence = nullptr;
+    this->OnDrawn();
+    this->update();
   }
 }
 
@@ -278,6 +354,16 @@ void PictureView::leaveEvent(QEvent* event)
 }
 
 //------------------------------------------------------------------------------
+// While a thread draws, the window keeps the last picture.
+void PictureView::paintEvent(QPaintEvent* event)
+{
+  if (!this->Sample.IsLent())
+  {
+    this->QVTKOpenGLNativeWidget::paintEvent(event);
+  }
+}
+
+//------------------------------------------------------------------------------
 void PictureView::resizeEvent(QResizeEvent* event)
 {
   this->QVTKOpenGLNativeWidget::resizeEvent(event);
@@ -295,6 +381,7 @@ void PictureView::resizeEvent(QResizeEvent* event)
 PictureView::OtherSize::OtherSize(PictureView* view, const QSize& size)
   : View(view)
 {
+  view->TakeBack();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(view->renderWindow());
   this->Before = { window->GetSize()[0], window->GetSize()[1] };
   const int limit = vtkTextureObject::GetMaximumTextureSize(window);
@@ -320,6 +407,7 @@ PictureView::OtherSize::OtherSize(PictureView* view, const QSize& size)
 //------------------------------------------------------------------------------
 PictureView::OtherSize::~OtherSize()
 {
+  this->View->TakeBack();
   this->View->renderWindow()->SetSize(this->Before.width(), this->Before.height());
   this->View->setUpdatesEnabled(true);
   this->View->Draw();

@@ -8,6 +8,7 @@
 #define PictureView_h
 
 #include "Picture.h"
+#include "SampleThread.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
@@ -36,7 +37,14 @@ public:
   explicit PictureView(QWidget* parent = nullptr);
   ~PictureView() override;
 
-  Picture& GetPicture() { return *this->Shown; }
+  /// The picture. While a sample is drawn, this waits for it.
+  Picture& GetPicture();
+
+  ///@{
+  /// Properties that drawing does not change, without waiting.
+  bool IsEmpty() const { return this->Shown->IsEmpty(); }
+  bool IsDrawing() const { return this->Sample.IsLent(); }
+  ///@}
 
   /// The window's pixel at a widget position, from the lower left.
   QPoint GetPixel(const QPoint& place) const;
@@ -81,24 +89,28 @@ Q_SIGNALS:
   void picked(int x, int y);
 
 protected:
+  bool event(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   void initializeGL() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
 private:
   void LetLinesBeWide();
   void OnDrawn();
   void GoOn();
+  void TakeBack();
   void ShowSample();
-  void DropFence();
 
   std::unique_ptr<Picture> Shown;
   unsigned long Beginning;
-  vtkNew<vtkCallbackCommand> Holding; // painting, while OpenGL draws
-  void* Fence = nullptr;              // of the sample that OpenGL draws
+  vtkNew<vtkCallbackCommand> Holding; // painting, while a thread draws
+  SampleThread Sample;
+  bool Unpainted = false; // the window waits for the sample
+  bool Untold = false;    // a thread has drawn a sample, and nobody was told
   bool Picking = false;
   QTimer Soon, Rest;
   QElapsedTimer Begun; // start of the frame

@@ -56,9 +56,7 @@ QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySeq
 // An action on the picture, disabled while there is none.
 QAction* NeedPicture(MainWindow* window, QAction* action)
 {
-  const auto follow = [window, action] {
-    action->setEnabled(!window->GetView()->GetPicture().IsEmpty());
-  };
+  const auto follow = [window, action] { action->setEnabled(!window->GetView()->IsEmpty()); };
   QObject::connect(window->GetDocument(), &Document::factsChanged, action, follow);
   follow();
   return action;
@@ -119,7 +117,7 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
   });
   menu->addMenu(recent);
   NeedPicture(window,
-    Add(menu, window, "&Reload", QKeySequence("F5"), "reload", [window] { window->Reload(); }));
+    Add(menu, window, "Reloa&d", QKeySequence("F5"), "reload", [window] { window->Reload(); }));
   NeedPicture(window,
     Add(menu, window, "&Next file in the folder", QKeySequence("PgDown"), "nextFile",
       [window] { window->OpenNext(1); }));
@@ -150,6 +148,13 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
         window->SaveLayers(*choice);
       }
     }));
+  NeedPicture(window, Add(menu, window, "Export &glTF...", QKeySequence(), "exportGltf", [window] {
+    const QString path = AskPlace(window, "Export glTF", ".glb");
+    if (!path.isEmpty())
+    {
+      window->ExportGltf(path);
+    }
+  }));
   NeedPicture(
     window, Add(menu, window, "Compare &with...", QKeySequence(), "compareWith", [window] {
       const QString path =
@@ -324,7 +329,7 @@ void AddViewMenu(MainWindow* window)
     { "From l&eft", "Ctrl+1", { 1, 0, 0 }, { 0, 1, 0 } },
     { "From &above", "2", { 0, -1, 0 }, { 0, 0, -1 } },
     { "From &below", "Ctrl+2", { 0, 1, 0 }, { 0, 0, 1 } },
-    { "From the &front", "3", { 0, 0, -1 }, { 0, 1, 0 } },
+    { "From the fr&ont", "3", { 0, 0, -1 }, { 0, 1, 0 } },
     { "From the bac&k", "Ctrl+3", { 0, 0, 1 }, { 0, 1, 0 } } };
   auto* views = new QMenu(window); // of the tool bar
   views->setObjectName("views");
@@ -382,6 +387,7 @@ void AddViewMenu(MainWindow* window)
     [window] { window->setWindowState(window->windowState() ^ Qt::WindowFullScreen); });
   AddAppearance(menu->addMenu("Appeara&nce"));
   AddToolBar(window, menu);
+  menu->addAction(window->findChild<QAction*>("panels"));
   for (QDockWidget* dock : window->findChildren<QDockWidget*>())
   {
     menu->addAction(dock->toggleViewAction());

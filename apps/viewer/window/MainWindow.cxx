@@ -21,6 +21,7 @@
 #include "NextFile.h"
 #include "OptionNames.h"
 #include "Options.h"
+#include "PanelSwitch.h"
 #include "Pick.h"
 #include "PictureView.h"
 #include "Progress.h"
@@ -241,6 +242,7 @@ void MainWindow::AddPanels()
   this->tabifyDockWidget(first, comparison);
   comparison->hide(); // until there is one
   first->raise();
+  this->Panels = new PanelSwitch(this);
 }
 
 //------------------------------------------------------------------------------
@@ -330,8 +332,8 @@ void MainWindow::Say(const QString& said, bool isTrouble)
   if (isTrouble)
   {
     this->OfFile = false;
-    this->Shown->GetPicture().IsEmpty() ? this->Empty->ShowTrouble(text)
-                                        : this->Message->Show(text, MessageBar::Error);
+    this->Shown->IsEmpty() ? this->Empty->ShowTrouble(text)
+                           : this->Message->Show(text, MessageBar::Error);
   }
 }
 
@@ -610,6 +612,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     return;
   }
   this->Reader->Stop();
+  this->Panels->Open();
   this->KeepLayout();
   this->QMainWindow::closeEvent(event);
 }
@@ -743,7 +746,7 @@ void MainWindow::Read()
     this->Meanwhile = this->Good;
     this->SetMeanwhile = false;
   }
-  const bool shown = !this->Shown->GetPicture().IsEmpty();
+  const bool shown = !this->Shown->IsEmpty();
   const bool opened = this->ReadingKey.empty(); // by the user
   this->Asked = this->Edited->Get();
   const bool other = this->Asked.Files != this->BeingRead;
@@ -955,7 +958,7 @@ void MainWindow::Remember()
 // Stores the camera of the displayed files, for undo.
 void MainWindow::KeepView()
 {
-  if (this->Shown->GetPicture().IsEmpty())
+  if (this->Shown->IsEmpty())
   {
     return;
   }

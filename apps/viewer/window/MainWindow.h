@@ -41,6 +41,7 @@ class LayersPanel;
 class LightHandles;
 class LightPanel;
 class MessageBar;
+class PanelSwitch;
 class RecentFiles;
 class ReportPanel;
 class PictureView;
@@ -81,6 +82,9 @@ public:
   void CopyPicture();
   void SaveLayers(const LayersChoice& choice);
   ///@}
+
+  /// Exports the scene as glTF, with the camera. Throws words::WorkError or words::UsageError.
+  void ExportGltf(const QString& path);
 
   /// Draws the scene with the size of a baseline or picture, and with the camera that a baseline
   /// records, and shows how it differs from the file. Throws words::WorkError.
@@ -166,6 +170,7 @@ private:
   LightPanel* Light;
   LayersPanel* Layers;
   ReportPanel* Report;
+  PanelSwitch* Panels;
   ComparisonPanel* Comparison;
   TimeBar* Time;
   RecentFiles* Recent;

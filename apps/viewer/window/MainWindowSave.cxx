@@ -13,6 +13,7 @@
 #include "SessionFile.h"
 #include "TimeBar.h"
 #include "Transparency.h"
+#include "WriteOutputs.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -28,6 +29,7 @@
 #include <QClipboard>
 #include <QFileInfo>
 #include <QImage>
+#include <QLabel>
 #include <QMessageBox>
 #include <QProgressDialog>
 
@@ -196,8 +198,7 @@ bool MainWindow::HasEdits() const
     settings.Remove("--time");
     return settings;
   };
-  return !this->Shown->GetPicture().IsEmpty() &&
-    getEdits(this->Edited->Get()) != getEdits(this->Safe);
+  return !this->Shown->IsEmpty() && getEdits(this->Edited->Get()) != getEdits(this->Safe);
 }
 
 //------------------------------------------------------------------------------
@@ -264,5 +265,19 @@ void MainWindow::SaveLayers(const LayersChoice& choice)
   reading::Messages::Check(choice.Path.toStdString(), source->GetErrorCode() != 0);
   Write<vtkRelievoEXRWriter>(choice.Path, source->GetOutput());
   this->SaySaved(choice.Path);
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::ExportGltf(const QString& path)
+{
+  Picture& picture = this->Shown->GetPicture();
+  picture.CheckShown("Export glTF");
+  scene::WriteGltf(picture.GetScene(), path.toStdString());
+  this->SaySaved(path);
+  for (const std::string& note : reading::Messages::TakeNotes())
+  {
+    this->Say(this->Words->text() + "; " + QString::fromStdString(note));
+  }
+  this->Shown->Draw();
 }
 }

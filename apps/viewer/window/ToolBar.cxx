@@ -35,7 +35,7 @@ void AddToolBar(MainWindow* window, QMenu* view)
   bar->setIconSize(QSize(IconSide, IconSide));
   window->addToolBar(Qt::TopToolBarArea, bar);
   for (const char* name : { "open", "savePicture", "copyCommand", "", "undo", "redo", "", "fit",
-         "views", "shadowsOn", "grid", "", "fullScreen" })
+         "views", "shadowsOn", "grid", "", "panels", "fullScreen" })
   {
     if (!*name)
     {
