@@ -24,7 +24,7 @@ from relievo.vtk.vtkIOImage import vtkPNGReader, vtkPNGWriter
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 
-# What users search for, where the page has other words: the index terms of a page come first.
+# Index terms of pages: words that users search for where the page has others.
 TERMS = {
     "cameras": ("K matrix", "camera matrix", "intrinsics", "extrinsics", "OpenCV", "distortion"),
     "command-line": ("colour bar", "color bar", "scalar bar", "turntable", "video"),

@@ -27,7 +27,7 @@ import relievo
 
 TELEPHONE = (390, 844)
 SCREEN = (1280, 900)
-# What users search for, and the page that is the first to be found.
+# Words that users search for, and the page that the search lists first.
 FIRST = {"shadow map": "shadows.html", "K matrix": "cameras.html", "depth buffer": "layers.html",
          "tone mapping": "passes/Tone.html", "install": "install.html"}
 
@@ -158,6 +158,11 @@ def in_browser(site, browser, pictures):
               .map((name) => name.textContent);""")
         if cut != []:
             yield f"api/Shadows.html: 'On this page' cuts off {cut}"
+        prose = browser.found("gallery.html", """
+            return [...page.querySelectorAll("pre")].map((block) => block.textContent)
+              .filter((text) => text.includes("]("));""")
+        if prose != []:
+            yield f"gallery.html: blocks of lines hold prose: {prose}"
         cut = browser.found("gallery.html", """
             const pair = page.querySelector(".pair"), handle = pair.querySelector("input");
             const at = () => view.getComputedStyle(pair.querySelectorAll("img")[1]).clipPath;

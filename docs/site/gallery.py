@@ -276,10 +276,10 @@ def write(window, path):
 
 def opening(page):
     """A page's title, its first picture with the words for it, and its first block of lines."""
-    text = page.read_text()
+    text = re.sub(r"^```{.*?^```\n", "", page.read_text(), flags=re.M | re.S)  # the index terms
     title = re.match(r"# (.*)\n", text)[1]
     words, picture = re.search(r"!\[([^\]]*)\]\(([^)]*)\)", text).groups()
-    return title, words, picture, re.search(r"^```(?!{).*?^```$", text, re.M | re.S)[0]
+    return title, words, picture, re.search(r"^```.*?^```$", text, re.M | re.S)[0]
 
 
 def lay(dest):
