@@ -340,7 +340,7 @@ bool vtkRelievoBaseline::Test(vtkRenderWindow* window, const char* baseline)
     return false;
   }
   const std::string table = comparison->GetText();
-  std::cout << table;
+  std::cout << table << std::flush;
   if (comparison->GetAlike())
   {
     return true;
