@@ -585,13 +585,18 @@ void vtkRelievoDatasetWriter::WriteViews()
       ", which is " + std::to_string(validation) + " of " + std::to_string(views) +
       " views; expected 0, or a share that leaves views for training and for validation");
   }
-  const std::string settings = dataset::OpenWorkFolder(self.Directory, dataset::DatasetSettings,
-    { { "version", RELIEVO_VERSION }, { "format", format.Name }, { "views", views },
-      { "objects", names }, { "categories", categories }, { "validation", style.Validation },
-      { "shard_size", this->ShardSize }, { "layers", self.Layers },
-      { "depth_step", style.DepthStep }, { "mm_per_unit", this->MillimetersPerUnit },
-      { "random_sun", this->RandomSun }, { "seed", this->Seed },
-      { "up_axis", std::string(1, "xyz"[this->UpAxis]) }, { "scene", self.Description } });
+  Json described = { { "version", RELIEVO_VERSION }, { "format", format.Name }, { "views", views },
+    { "objects", names }, { "categories", categories }, { "validation", style.Validation },
+    { "layers", self.Layers }, { "depth_step", style.DepthStep },
+    { "mm_per_unit", this->MillimetersPerUnit }, { "random_sun", this->RandomSun },
+    { "seed", this->Seed }, { "up_axis", std::string(1, "xyz"[this->UpAxis]) },
+    { "scene", self.Description } };
+  if (std::string(format.Name) == "webdataset")
+  {
+    described["shard_size"] = this->ShardSize;
+  }
+  const std::string settings =
+    dataset::OpenWorkFolder(self.Directory, dataset::DatasetSettings, described);
   if (isPart)
   {
     const auto share = part.GetRange(views);

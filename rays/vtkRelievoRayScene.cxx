@@ -567,6 +567,12 @@ const vtkRelievoRayTree& vtkRelievoRayScene::GetTree() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoRayScene::GetFault() const
+{
+  return this->Internal->Fault;
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfMeshesBuilt()
 {
   return this->Internal->Tree.GetMeshesBuilt();

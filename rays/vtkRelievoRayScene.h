@@ -35,6 +35,7 @@
 #include "vtkRelievoText.h"       // for names of files
 
 #include <memory> // for the data that is not shown here
+#include <string> // for messages
 
 class vtkDataArray;
 class vtkDataObject;
@@ -242,6 +243,9 @@ public:
 #ifndef __VTK_WRAP__
   // The tree of the last update.
   const vtkRelievoRayTree& GetTree() const;
+
+  // Why rays cannot hit some of the data, as of the last update, or "".
+  std::string GetFault() const;
 #endif
 
 protected:

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TarArchive.h"
 
-#include "DatasetFiles.h"
+#include "Errors.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
 
 namespace dataset
 {
@@ -72,11 +75,24 @@ std::uint64_t GetJoinedTarBytes(const std::vector<std::uint64_t>& sizes)
 void JoinTars(
   const std::vector<std::string>& files, const std::function<void(const std::string&)>& take)
 {
+  constexpr std::uint64_t most = 1 << 20;
   for (const std::string& file : files)
   {
-    std::string bytes = ReadWhole(file);
-    bytes.resize(bytes.size() - std::min(bytes.size(), End));
-    take(bytes);
+    std::error_code trouble;
+    const std::uint64_t size = std::filesystem::file_size(file, trouble);
+    std::ifstream in(file, std::ios::binary);
+    std::string bytes;
+    for (std::uint64_t left = trouble ? 0 : size - std::min<std::uint64_t>(size, End);
+         in && left > 0; left -= bytes.size())
+    {
+      bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(left, most)));
+      in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+      take(bytes);
+    }
+    if (trouble || !in)
+    {
+      throw FileError(file + ": cannot be read");
+    }
   }
   take(std::string(End, '\0'));
 }

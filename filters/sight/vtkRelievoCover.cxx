@@ -405,7 +405,6 @@ int vtkRelievoCover::RequestData(
   {
     return 1;
   }
-  scene->Update();
   Limits limits;
   limits.Farthest = this->FarthestDistance;
   limits.LeastCosine = std::cos(vtkMath::RadiansFromDegrees(this->LargestAngle)) * (1.0 - 1e-12);

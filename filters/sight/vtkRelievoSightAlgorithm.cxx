@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoSightAlgorithm.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -14,7 +15,25 @@
 #include "vtkRelievoShare.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
+
+namespace
+{
+// Whether two data sets share their points and cells, whatever their arrays.
+bool IsSameGeometry(vtkDataObject* first, vtkDataSet* second)
+{
+  vtkPolyData* a = vtkPolyData::SafeDownCast(first);
+  vtkPolyData* b = vtkPolyData::SafeDownCast(second);
+  const auto isSame = [](vtkCellArray* of, vtkCellArray* than) {
+    return of == than || (of && than && of->GetNumberOfCells() + than->GetNumberOfCells() == 0);
+  };
+  return first == second ||
+    (a && b && a->GetPoints() == b->GetPoints() && isSame(a->GetVerts(), b->GetVerts()) &&
+      isSame(a->GetLines(), b->GetLines()) && isSame(a->GetPolys(), b->GetPolys()) &&
+      isSame(a->GetStrips(), b->GetStrips()));
+}
+}
 
 //------------------------------------------------------------------------------
 vtkRelievoSightAlgorithm::vtkRelievoSightAlgorithm()
@@ -95,19 +114,19 @@ vtkSmartPointer<vtkRelievoRayScene> vtkRelievoSightAlgorithm::MakeScene(
   {
     meshes.push_back(vtkDataSet::GetData(inputs[1], i));
   }
-  if (!this->Scene)
+  vtkSmartPointer<vtkRelievoRayScene> scene = this->Scene;
+  if (!scene)
   {
-    auto scene = vtkSmartPointer<vtkRelievoRayScene>::New();
+    scene = vtkSmartPointer<vtkRelievoRayScene>::New();
     for (vtkDataSet* mesh : meshes)
     {
       scene->AddData(mesh);
     }
-    return scene;
   }
-  bool isTheirs = this->Scene->GetNumberOfProps() == static_cast<int>(meshes.size());
+  bool isTheirs = scene->GetNumberOfProps() == static_cast<int>(meshes.size());
   for (std::size_t i = 0; i < meshes.size() && isTheirs; ++i)
   {
-    isTheirs = this->Scene->GetPropData(static_cast<int>(i)) == meshes[i];
+    isTheirs = IsSameGeometry(scene->GetPropData(static_cast<int>(i)), meshes[i]);
   }
   if (!isTheirs)
   {
@@ -115,9 +134,16 @@ vtkSmartPointer<vtkRelievoRayScene> vtkRelievoSightAlgorithm::MakeScene(
       << meshes.size() - 1 << " occluders in their order.");
     return nullptr;
   }
-  this->Scene->SetMinimumDistance(0.0); // not those of the last query
-  this->Scene->SetMaximumDistance(vtkMath::Inf());
-  return this->Scene;
+  scene->SetMinimumDistance(0.0); // not those of the last query
+  scene->SetMaximumDistance(vtkMath::Inf());
+  scene->Update();
+  const std::string fault = scene->GetFault();
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault);
+    return nullptr;
+  }
+  return scene;
 }
 
 //------------------------------------------------------------------------------

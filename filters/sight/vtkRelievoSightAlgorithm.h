@@ -56,7 +56,8 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
-  // The mesh, as prop 0, and its occluders. nullptr, with an error, if SetScene has other data.
+  // The mesh, as prop 0, and its occluders, updated. nullptr, with an error, if SetScene has other
+  // data, or if rays cannot hit some of them.
   vtkSmartPointer<vtkRelievoRayScene> MakeScene(vtkInformationVector** inputs);
 
   // The share of so many cells or points: the first, and the one after the last.

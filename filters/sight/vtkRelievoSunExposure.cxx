@@ -241,20 +241,19 @@ vtkRelievoSunExposure::vtkRelievoSunExposure()
     "Rays per place for the array sky_view, the visible share of the sky; 0: none.");
   list.AddNumber(
     "begin_hour", this->BeginHour, [this](double hour) { this->SetBeginHour(hour); }, 0.0, 24.0,
-    "hours", "Only the sun after this time of day counts.");
+    "hours", "Only the light of the sun and the sky after this time of day counts.");
   list.AddNumber(
     "end_hour", this->EndHour, [this](double hour) { this->SetEndHour(hour); }, 0.0, 24.0, "hours",
-    "Only the sun before this time of day counts.");
+    "Only the light of the sun and the sky before this time of day counts.");
   list.AddNumber(
     "minimum_elevation", this->MinimumElevation,
     [this](double degrees) { this->SetMinimumElevation(degrees); }, 0.0, 90.0, "degrees",
-    "Only a sun above this height counts.");
+    "Only times with the sun above this height count, for the light of the sky as well.");
   list.AddText(
     "time_zone", [this] { return this->TimeZone; },
     [this](const std::string& hours) { this->SetTimeZone(hours.c_str()); },
-    "Hours by which the clock is ahead of UTC, -12 to 14; empty: those of the weather file, or "
-    "local "
-    "mean time.");
+    "Hours by which the clock is ahead of UTC, -12 to 14; empty: with irradiance those of the "
+    "weather file, otherwise local mean time.");
   list
     .AddNumber(
       "north", this->North, [this](double degrees) { this->SetNorth(degrees); }, -360.0, 360.0,
@@ -330,6 +329,12 @@ vtkMTimeType vtkRelievoSunExposure::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
   return this->Weather ? std::max(own, this->Weather->GetMTime()) : own;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoSunExposure::CheckWeatherFile() const
+{
+  return this->WeatherFile.empty() ? "" : vtkRelievoWeather().Read(this->WeatherFile);
 }
 
 //------------------------------------------------------------------------------
@@ -476,7 +481,7 @@ std::string vtkRelievoSunExposure::GetSuns(std::vector<Sun>& suns) const
         continue;
       }
       const int perDay = weather.GetPerDay();
-      const int later = i < 0 ? -1 : i / perDay;
+      const int later = (i - (i < 0 ? perDay - 1 : 0)) / perDay; // days, rounded down
       const std::array<int, 3> its = GetDate(firstDay + middle + later);
       const std::size_t index = weather.GetIndex(middle + later, its.data(), i - later * perDay);
       sun.Light.Direct = std::min(sun.Extraterrestrial,
@@ -557,16 +562,19 @@ bool vtkRelievoSunExposure::FindIrradiation(const vtkRelievoSurfacePlaces& place
     const relievo::DiffuseShares shares = this->Irradiance == 2
       ? relievo::GetPerezShares(sine, sun.Extraterrestrial, sun.Light)
       : relievo::DiffuseShares();
-    const double around = diffuse * shares.Sun / std::max(sine, lowest);
+    // With the direct light at most that outside of the atmosphere.
+    const double height = std::max(sine, lowest);
+    const double around = std::min(diffuse * shares.Sun / height,
+      std::max(0.0, sun.Extraterrestrial - sun.Light.Direct) * sun.Hours / kilo);
+    const double even = diffuse - around * height;
     sky.AddSun(sun.Local, direct, around, sun.Hours);
-    uniform += diffuse * (1.0 - shares.Sun);
+    uniform += even;
     horizon += diffuse * shares.Horizon;
-    open += (direct + around) * sine + diffuse * (1.0 - shares.Sun);
+    open += (direct + around) * sine + even;
   }
   sky.AddSky(uniform, horizon);
   sky.Finish();
 
-  scene->Update();
   const std::size_t count = places.At.size();
   std::vector<vtkRelievoSkyPatches::Sums> sums(count);
   constexpr std::size_t block = 64; // places that share a receiver's memory

@@ -88,6 +88,9 @@ public:
   vtkGetVector3Macro(LastDay, int);
   ///@}
 
+  /** The error of the weather file, which is read; empty if it is usable, or if there is none. */
+  std::string CheckWeatherFile() const;
+
   /** The error of a first and a last day: "got ..., expected ..."; empty if both are valid. */
   static std::string CheckDays(const int first[3], const int last[3]);
 
@@ -108,7 +111,8 @@ public:
 
   ///@{
   /**
-   * Only the sun between two times of day counts, hours of the clock. Default 0, 24.
+   * Only the light of the sun and the sky between two times of day counts, hours of the clock.
+   * Default 0, 24.
    */
   vtkSetClampMacro(BeginHour, double, 0.0, 24.0);
   vtkGetMacro(BeginHour, double);
@@ -118,8 +122,8 @@ public:
 
   ///@{
   /**
-   * Only a sun that is at least as high counts, degrees, 0 to 90: EN 17037 asks for a height that
-   * depends on the place. Default 0.
+   * Only times with a sun that is at least as high count, degrees, 0 to 90, for the light of the
+   * sky as well: EN 17037 asks for a height that depends on the place. Default 0.
    */
   vtkSetClampMacro(MinimumElevation, double, 0.0, 90.0);
   vtkGetMacro(MinimumElevation, double);
@@ -128,7 +132,7 @@ public:
   ///@{
   /**
    * Hours by which the clock is ahead of universal time (UTC), -12 to 14, as text. Empty, the
-   * default: the weather file's time, or else local mean time.
+   * default: with Irradiance those of the weather file, otherwise local mean time.
    */
   void SetTimeZone(RELIEVO_TEXT hours);
   const char* GetTimeZone() const { return this->TimeZone.c_str(); }
@@ -223,8 +227,7 @@ public:
 
   ///@{
   /**
-   * Access to parameters by name, with values as text, as in vtkRelievoStage; the days are not
-   * included.
+   * Access to parameters by name, with values as text, as in vtkRelievoStage.
    */
   vtkRelievoParametersMacro();
   ///@}

@@ -39,13 +39,16 @@ Sunlight GetClearSky(double sine, double extraterrestrial, double altitude, doub
   const double air = GetAirMass(sine) * std::pow(1.0 - 2.25577e-5 * altitude, 5.25588);
   const double low = std::exp(-altitude / 8000.0);
   const double high = std::exp(-altitude / 1250.0);
-  const double global = (5.09e-5 * altitude + 0.868) * extraterrestrial * sine *
-    std::exp(-(3.92e-5 * altitude + 0.0387) * air * (low + high * (turbidity - 1.0)));
+  // High above the sea the fits exceed the light outside of the atmosphere.
+  const double global = extraterrestrial * sine *
+    std::min(1.0,
+      (5.09e-5 * altitude + 0.868) *
+        std::exp(-(3.92e-5 * altitude + 0.0387) * air * (low + high * (turbidity - 1.0))));
   const double beam =
     extraterrestrial * (0.664 + 0.163 / low) * std::exp(-0.09 * air * (turbidity - 1.0));
   const double most =
     global * std::max(0.0, 1.0 - (0.1 - 0.2 * std::exp(-turbidity)) / (0.1 + 0.882 / low)) / sine;
-  const double direct = std::min(beam, most);
+  const double direct = std::min({ beam, most, extraterrestrial });
   return { direct, global - direct * sine };
 }
 
@@ -74,7 +77,9 @@ DiffuseShares GetPerezShares(double sine, double extraterrestrial, const Sunligh
   const auto row = static_cast<std::size_t>(
     std::upper_bound(std::begin(clearness), std::end(clearness), clear) - std::begin(clearness));
   const double(&f)[6] = coefficients[row];
-  const double brightness = light.Diffuse * GetAirMass(sine) / extraterrestrial;
+  // At most 1, that of a sky which has all light from outside of the atmosphere: data that are
+  // spread over minutes after a sunrise can exceed it.
+  const double brightness = std::min(1.0, light.Diffuse * GetAirMass(sine) / extraterrestrial);
   return { std::clamp(f[0] + f[1] * brightness + f[2] * zenith, 0.0, 1.0),
     f[3] + f[4] * brightness + f[5] * zenith };
 }

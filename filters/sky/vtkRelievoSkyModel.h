@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Published models of sunlight: what arrives without clouds, and how the diffuse part is spread
-// over the sky.
+// Published models of sunlight: the light of a sky without clouds, and how the diffuse part is
+// spread over the sky.
 #ifndef vtkRelievoSkyModel_h
 #define vtkRelievoSkyModel_h
 

@@ -49,9 +49,14 @@ std::string vtkRelievoWeather::Read(const std::string& file)
   {
     return file + ": cannot be read, expected a weather file of EnergyPlus (EPW)";
   }
+  const std::string mark = "\xEF\xBB\xBF"; // of UTF-8
+  if (line.compare(0, mark.size(), mark) == 0)
+  {
+    line.erase(0, mark.size());
+  }
   const std::vector<std::string> location = Split(line);
   const double zone = location.size() > timeZone ? ToNumber(location[timeZone]) : std::nan("");
-  if (location[0] != "LOCATION" || !(std::abs(zone) <= 14.0))
+  if (!(std::abs(zone) <= 14.0) || location[0] != "LOCATION")
   {
     return file +
       ": is not a weather file of EnergyPlus (EPW), whose first line is LOCATION with "
@@ -90,6 +95,11 @@ std::string vtkRelievoWeather::Read(const std::string& file)
     {
       return file + ": line " + std::to_string(number) +
         ": expected month, day, hour, and direct and diffuse radiation from 0 to 9998 Wh/m2";
+    }
+    if (!std::isnan(this->Diffuse[index]))
+    {
+      return file + ": line " + std::to_string(number) +
+        ": has an hour again; expected one record for each hour of one year";
     }
     this->Direct[index] = sun;
     this->Diffuse[index] = sky;

@@ -147,6 +147,7 @@ class Dataset(CliTest):
                         says=["whole: was begun with", "give another folder"])  # fmt: skip
         self.check_parts(command[4:-1])
         self.check_models()
+        self.check_shards()
         self.check_splits()
 
     def check_models(self):
@@ -163,6 +164,19 @@ class Dataset(CliTest):
         shutil.rmtree(self.folder / "parts" / "progress")
         self.relievo("verify", "parts")
         self.check_same("whole-bop", "parts")
+        shutil.rmtree(self.folder / "parts")
+
+    def check_shards(self):
+        """Archives of parts, which are set by the size of samples, are those of one process."""
+        words = ["--poses", "orbit:5", "--format", "webdataset", "--shard-size", "0.01"]
+        self.dataset("whole-shards", *words)
+        for part in ("2/2", "1/2"):
+            self.dataset("parts", *words, "--part", part)
+        self.relievo("merge", "parts")
+        self.relievo("verify", "parts")
+        self.check_same("whole-shards", "parts")
+        self.assertEqual(self.json("parts", "dataset.json")["shard_size"], 0.01)
+        self.assertNotIn("shard_size", self.json("whole", "dataset.json"))
         shutil.rmtree(self.folder / "parts")
 
     def check_splits(self):

@@ -275,6 +275,8 @@ class Sight(CliTest):
             (["sun", "ground.off", *out, *SUN, "--step", "0"], ["'0'", "from 0.1 to 240"]),
             (["sun", "ground.off", *out, *SUN, "--step", "0.05"], ["'0.05'", "from 0.1 to 240"]),
             (["sun", "ground.off", *out, *SUN, "--sky", "-1"], ["--sky", "'-1'"]),
+            (["sun", "ground.off", *out, *SUN, "--rays", "a.vtp"], ["--rays", "'a.vtp'", ".rays"]),
+            (["sun", "ground.off", *out, *SUN, "--weather", "a.epw"], "--irradiance isotropic"),
             (["sun", "town.gltf", *out, *SUN], ["town.gltf", "expected data"]),
             (["sun", "ground.png", *out, *SUN], "ground.png"),
             (["visible", "ground.off", *out], "give --poses"),
@@ -298,6 +300,8 @@ class Sight(CliTest):
             with self.subTest(words=words):
                 self.refused(*words, status=2, says=says)
         self.refused("sun", "nothing.off", *out, *SUN, status=1, says="nothing.off")
+        self.refused("sun", "ground.off", *out, *SUN, "--irradiance=perez", "--weather", "no.epw",
+                     "--rays", "town.rays", status=1, says="--weather no.epw: cannot be read")
         (self.folder / "points.off").write_text("OFF\n1 0 0\n0 0 0\n")
         nowhere = [{"position": [0, 5, 0], "target": [0, 5, 0]}]
         (self.folder / "nowhere.json").write_text(json.dumps(nowhere))

@@ -25,7 +25,8 @@ MAY = {
     "development": rf"{LIBRARY}|include/relievo/.*|lib/.*/?(cmake/relievo|relievo/hierarchy)/.*"
     r"|lib(/[^/]+)*/libvtkRelievo\w+CS\.a",
     "python": rf"{re.escape(PYTHON)}/"
-    r"((relievo|vtk_relievo-[\d.]+\.dist-info)/[^/]+|relievo/vtk/.*\.pyi|pytest_relievo\.py)",
+    r"((relievo(/_[a-z]+)?|vtk_relievo-[\d.]+\.dist-info)/[^/]+|relievo/vtk/.*\.pyi"
+    r"|pytest_relievo\.py)",
     "plugin": r"lib/.*plugins/(Relievo/Relievo\.so|relievo\.plugins\.xml)",
 }
 MUST = {

@@ -4,6 +4,7 @@
 the formats' own rules, and against others' readers where they are installed."""
 
 import filecmp
+import hashlib
 import importlib.util
 import io
 import json
@@ -467,6 +468,14 @@ class Datasets(unittest.TestCase):
                                           shardshuffle=False)  # fmt: skip
             self.assertEqual([each["__key__"] for each in found],
                              [f"{view:06d}" for view in range(6)])  # fmt: skip
+        # A sample may be larger than the files that are read whole.
+        large, named = two / "samples" / "000000.tar", two / "views" / "000000.json"
+        with open(large, "r+b") as file:
+            file.truncate(257 << 20)
+        record = read_json(named)
+        record["files"]["samples/000000.tar"] = hashlib.md5(large.read_bytes()).hexdigest()
+        named.write_text(json.dumps(record))
+        self.assertIn("shard-000000.tar is not that of these views", relievo.verify(two))
 
     def test_boxes_in_lines(self):
         """Lines of yolo and kitti have the boxes, categories and shares of the masks of npz."""

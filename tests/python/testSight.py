@@ -555,6 +555,9 @@ class FromRays(unittest.TestCase):
             "solid_angle": lambda thing, others: relievo.visible(thing, camera, occluders=others),
             "candidates": lambda thing, others: relievo.cover(
                 thing, [(3, 5, 3), (9, 6, 9), (1, 4, 9)], 2, occluders=others)[0],
+            "covered": lambda thing, others: relievo.cover(
+                thing, [(3, 5, 3), (9, 6, 9), (1, 4, 9)], 1, occluders=others,
+                weights=numpy.arange(len(quads)))[0],
         }  # fmt: skip
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "hills.rays"
@@ -568,18 +571,30 @@ class FromRays(unittest.TestCase):
                     numpy.testing.assert_array_equal(*values)
                     self.assertGreater(len(set(values[0].tolist())), 1)
             self.assertEqual(scene.scene.GetNumberOfMeshesBuilt(), 0)
+            blocks = vtkMultiBlockDataSet()
+            blocks.SetBlock(0, roof)
             for thing, others, wrong in ((relievo.rays(file), (), "of a file alone"),
+                                         (relievo.rays(mesh, blocks), (), "without blocks"),
                                          (scene, roof, "beside Rays"),
                                          (relievo.rays((mesh, numpy.eye(4))), (), "matrices")):
                 with self.assertRaisesRegex(ValueError, wrong):
                     works["sun_hours"](thing, others)
-        other = relievo.vtkRelievoSunExposure()
-        other.SetInputDataObject(0, roof)
-        other.SetScene(scene.scene)
-        with relievo._arguments.errors.Watch(other) as watch:
-            other.Update()
-        with self.assertRaisesRegex(ValueError, "other data"):
-            watch.raise_as(ValueError, "sun")
+        unfit = relievo.vtkRelievoRayScene()
+        matrix = vtkMatrix4x4()
+        matrix.SetElement(0, 0, numpy.nan)
+        unfit.AddData(roof, matrix)
+        for given, wrong in ((scene.scene, "other data"), (unfit, "not finite")):
+            for filter_ in (relievo.vtkRelievoSunExposure(), relievo.vtkRelievoCover()):
+                filter_.SetInputDataObject(0, roof)
+                if filter_.IsA("vtkRelievoCover"):
+                    filter_.SetInputDataObject(2, mesh)
+                else:
+                    filter_.SetIrradiance(1)
+                filter_.SetScene(given)
+                with relievo._arguments.errors.Watch(filter_) as watch:
+                    filter_.Update()
+                with self.assertRaisesRegex(ValueError, wrong):
+                    watch.raise_as(ValueError, "rays")
 
 
 class ViewFactors(unittest.TestCase):
@@ -865,6 +880,17 @@ class Sun(unittest.TestCase):
                     self.assertLessEqual(array(lit, "irradiation_bound")[i], 0.01 * total[i])
             whole = lit.GetFieldData().GetArray("open_irradiation").GetValue(0)
             self.assertAlmostEqual(whole / total[0], 1, 5)
+        # Diffuse light alone, also in an hour of which two minutes are by day.
+        dull = {"dhi": numpy.full(24, 100.0), "dni": numpy.zeros(24)}
+        lit = relievo.sun_exposure(planes, 48.2, 16.4, "2026-03-25", up="z", irradiance="perez",
+                                   weather=dull)
+        diffuse = array(lit, "diffuse_irradiation")
+        self.assertLess(diffuse[2:].max(), diffuse[0])
+        # The air adds no light to that outside of the atmosphere, by its integral over the day.
+        high = relievo.sun_exposure(planes, 0, 0, "2026-03-20", up="z", irradiance="isotropic",
+                                    altitude=9000, turbidity=1)
+        whole = high.GetFieldData().GetArray("open_irradiation").GetValue(0)
+        self.assertLess(whole, 1.361 * 1.035 * 24 / numpy.pi)
 
     def test_irradiation_in_a_canyon(self):
         """Closed forms of a uniform sky, and steps of sun by rays, within the bounds."""
@@ -907,15 +933,29 @@ class Sun(unittest.TestCase):
             rows = [f"2001,{each.month},{each.day},{each.hour + 1},60,?,20,9,50,95000,0,0,300,"
                     f"999,{sun!r},{sky!r},0" for each, sun, sky
                     in zip(hours, dni.tolist(), dhi.tolist())]  # fmt: skip
-            file.write_text("\n".join(head + rows) + "\n")
+            file.write_text("\ufeff" + "\n".join(head + rows) + "\n", "utf-8")
             of_file, in_utc = (
                 relievo.sun_exposure(roof, **self.PLACE, first="2026-05-03", last="2026-05-04",
                                      irradiance="perez", weather=file, time_zone=zone)
                 for zone in (None, 0))  # fmt: skip
-            file.write_text("\n".join(head + rows[:-1]) + "\n")
-            with self.assertRaisesRegex(ValueError, "has no hour 24 of day 365"):
-                relievo.sun_exposure(roof, **self.PLACE, first="2026-05-03",
-                                     irradiance="perez", weather=file)
+            for lines, wrong in ((head + rows[:-1], "has no hour 24 of day 365"),
+                                 (head + rows + rows[:1], "line 8769: has an hour again"),
+                                 (["", *head, *rows], "is not a weather file")):
+                file.write_text("\n".join(lines) + "\n")
+                with self.assertRaisesRegex(ValueError, wrong):
+                    relievo.sun_exposure(roof, **self.PLACE, first="2026-05-03",
+                                         irradiance="perez", weather=file)
+            # Clocks that differ by 28 hours: the weather is that of two days before.
+            head[0] = "LOCATION,Place,-,-,-,0,48,11,-14.0,500"
+            rows = [f"2001,{each.month},{each.day},{each.hour + 1},60,?,20,9,50,95000,0,0,300,"
+                    f"999,0,100,0" for each in hours]  # fmt: skip
+            file.write_text("\n".join(head + rows) + "\n")
+            far, near = (
+                relievo.sun_exposure(roof, **self.PLACE, first="2026-01-02", time_zone=14,
+                                     irradiance="isotropic", weather=weather)
+                for weather in (file, {"dhi": [100] * 24, "dni": [0] * 24}))  # fmt: skip
+            self.assertAlmostEqual(array(far, "diffuse_irradiation")[0],
+                                   array(near, "diffuse_irradiation")[0], 6)
         here = slice(24 * 122, 24 * 124)
         given = {"first": "2026-05-03", "last": "2026-05-04", "time_zone": 1}
         of_arrays = relievo.sun_exposure(roof, **self.PLACE, **given, irradiance="perez",
@@ -958,6 +998,8 @@ class Sun(unittest.TestCase):
             relievo.sun_exposure(roof, **self.PLACE, first="2026-06-21", begin_hour=9, end_hour=8)
         with self.assertRaisesRegex(ValueError, "time zone '15'"):
             relievo.sun_exposure(roof, **self.PLACE, first="2026-06-21", time_zone=15)
+        with self.assertRaisesRegex(ValueError, "weather: got no irradiance"):
+            relievo.sun_exposure(roof, **self.PLACE, first="2026-06-21", weather="place.epw")
         for words, change in (("first", {"first": "June"}), ("latitude", {"latitude": 91}),
                               ("up", {"up": "w"}), ("step", {"step": 0}),
                               ("longitude", {"longitude": numpy.nan}),

@@ -99,10 +99,9 @@ void Command::AddMeshOptions(const std::string& extension)
     [this](const std::string& value) { this->AllowedFolders.push_back(value); });
   folders.Files = "/";
   folders.Repeats = true;
-  this->AddWord("--rays FILE.rays",
+  this->AddOutput("--rays FILE.rays",
     "keeps the trees for rays of these meshes in a file: written by the first run, shared in "
-    "memory "
-    "by all later ones",
+    "memory by all later ones",
     this->RayFile);
 }
 

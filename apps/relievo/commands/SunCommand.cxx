@@ -55,12 +55,25 @@ public:
         { "day_step", "" }, { "step", "--step MINUTES" }, { "up_axis", "" },
         { "sky_samples", "--sky N" }, { "time_zone", "--time-zone HOURS" },
         { "weather_file", "--weather FILE.epw" } });
+    std::find_if(this->Rows.Options.begin(), this->Rows.Options.end(),
+      [](const vtkRelievoOption& option) { return option.Name == "--weather"; })
+      ->Files = "epw";
     this->AddPartOption("cells");
   }
 
   int Run(const std::vector<std::string>& words) override
   {
     this->TakeMeshes(words);
+    if (*this->Sun->GetWeatherFile() != '\0' && this->Sun->GetIrradiance() == 0)
+    {
+      throw words::UsageError(
+        "--weather: got no irradiance, expected --irradiance isotropic or perez");
+    }
+    const std::string weather = this->Sun->CheckWeatherFile();
+    if (!weather.empty())
+    {
+      throw words::WorkError("--weather " + weather);
+    }
     const reading::Messages::Scope scope;
     reading::Outputs outputs;
     outputs.Add("-o", this->File, this->Names);

@@ -25,7 +25,7 @@ namespace cli
 {
 /// Passes the surfaces of the files to the filter; `folders`: allowed folders of referenced files,
 /// besides the files' own. `rays`: the file of the meshes' trees, which is written if it does not
-/// exist, or "". Returns the up axis of the first file.
+/// exist and stays whatever follows, or "". Returns the up axis of the first file.
 int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::string>& folders,
   const std::string& rays, vtkRelievoSightAlgorithm* filter, reading::Progress& progress);
 

@@ -250,6 +250,8 @@ def sun_exposure(*arguments, **given):
     if given["time_zone"] is not None:
         set_value("sun_exposure", filter_, "time_zone", given["time_zone"])
     weather = given["weather"]
+    if weather is not None and filter_.GetIrradiance() == 0:
+        raise ValueError("weather: got no irradiance, expected irradiance='isotropic' or 'perez'")
     if isinstance(weather, (str, os.PathLike)):
         filter_.SetWeatherFile(os.fspath(weather))
     elif weather is not None:
@@ -290,8 +292,8 @@ latitude, longitude: degrees, -90 to 90 and -180 to 180, north and east positive
 first, last: the first and the last day, as datetime.date or "2026-06-21"; last None: one day.
 occluders: other data that shade it, one or a list.
 {describe_all(vtkRelievoSunExposure(), _OF_SUN)}
-time_zone: hours by which the clock is ahead of UTC, -12 to 14; None: those of the weather file, or
-    local mean time.
+time_zone: hours by which the clock is ahead of UTC, -12 to 14; None: with irradiance those of the
+    weather file, otherwise local mean time.
 weather: with irradiance, a weather file of EnergyPlus (EPW), or a dict of arrays in W/m2: dhi, and
     dni or ghi, the means of equal intervals from the first midnight to the last; None: a clear sky.
 
@@ -601,6 +603,8 @@ def _give_rays(filter_, scene, occluders):
                          "mesh")
     filter_.SetInputDataObject(0, scene.props[0])
     for each in scene.props[1:]:
+        if is_a(each, "vtkCompositeDataSet"):
+            raise ValueError(f"mesh: got Rays of {describe(each)}, expected data without blocks")
         filter_.AddInputDataObject(1, each)
     if hasattr(filter_, "SetScene"):
         filter_.SetScene(scene.scene)
