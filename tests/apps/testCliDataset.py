@@ -273,7 +273,7 @@ class Dataset(CliTest):
              "as in orthographic:100"),
             (["--poses", "orbit:4", "--out", "set", "--lens", "cube"], "six times as wide"),
             (["--poses", "orbit:4", "--out", "set", "--lens", "equirectangular"],
-             "equirectangular, which has no K; expected the format coco, npz or yolo"),
+             "equirectangular, which has no K; expected the format coco, npz, yolo or webdataset"),
             (["--poses", "orbit:4", "--out", "set", "--lens", "fisheye", "--grid"], "--grid"),
             (["--poses", "orbit:4", "--out", "set", "--format", "voc"], "bop, coco, nerf, npz"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3"], "A:B"),

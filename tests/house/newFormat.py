@@ -85,7 +85,7 @@ def on_the_command_line(run, build, folder):
     assert (folder / "lines" / "pictures" / "000002.png").exists()
     assert not (folder / "lines" / "models").exists()
     wrong = run([*words, folder / "no", "--lens", "equirectangular"], status=2)
-    assert "which has no K; expected the format coco, npz or yolo" in wrong, wrong
+    assert "which has no K; expected the format coco, npz, yolo or webdataset" in wrong, wrong
 
 
 PYTHON = """

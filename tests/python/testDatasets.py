@@ -484,7 +484,7 @@ class Datasets(unittest.TestCase):
         names = ["floor", "ball", "box_0", "box_1"]
         common = {"objects": names, "categories": {"a box": ["box_*"]}, "validation": 0.5}
         relievo.write_dataset(renderer, cameras, self.folder / "npz", "npz", objects=names)
-        for name in ("yolo", "kitti", "webdataset"):
+        for name in ("yolo", "kitti"):
             relievo.write_dataset(renderer, cameras, self.folder / name, name, **common)
         yolo, kitti = self.folder / "yolo", self.folder / "kitti" / "training"
         self.assertEqual((yolo / "data.yaml").read_text(),
