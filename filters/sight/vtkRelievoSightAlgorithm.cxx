@@ -123,8 +123,8 @@ vtkSmartPointer<vtkRelievoRayScene> vtkRelievoSightAlgorithm::MakeScene(
       scene->AddData(mesh);
     }
   }
-  bool isTheirs = scene->GetNumberOfProps() == static_cast<int>(meshes.size());
-  for (std::size_t i = 0; i < meshes.size() && isTheirs; ++i)
+  bool isTheirs = !this->Scene || scene->GetNumberOfProps() == static_cast<int>(meshes.size());
+  for (std::size_t i = 0; i < meshes.size() && this->Scene && isTheirs; ++i)
   {
     isTheirs = IsSameGeometry(scene->GetPropData(static_cast<int>(i)), meshes[i]);
   }
