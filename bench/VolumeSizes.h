@@ -20,6 +20,7 @@ struct VolumeSizes
   std::vector<int> Sizes = { 64, 128, 256, 512 }; // voxels along an axis
   int Largest = 128;                              // above it only the ball, by the default
   std::vector<int> Nodes = { 32, 64, 128, 256 };
+  int FourierNodes = 256; // those with rows for Fourier terms too
   int Places = 1000;
   std::vector<int> FrameSizes = { 64, 128, 256 };
   int Rounds = 7;

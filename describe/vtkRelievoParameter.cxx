@@ -14,6 +14,8 @@
 
 namespace
 {
+constexpr double LargestWhole = 9007199254740992.0; // 2^53: doubles beyond skip whole numbers
+
 // The shortest digits that parse back to the number: 0.1, 100, 1e-07.
 std::string Write(double value)
 {
@@ -253,7 +255,7 @@ std::string vtkRelievoParameter::Set(const std::vector<double>& values) const
     const double value = values[i];
     good = good && std::isfinite(value) && value >= least && value <= most;
     good = good && !(this->Open && (value == least || value == most));
-    good = good && (!isWhole || value == std::floor(value));
+    good = good && (!isWhole || (value == std::floor(value) && std::abs(value) <= LargestWhole));
     given += (given.empty() ? "" : ",") + Write(value);
   }
   good = good && (!this->IsDirection || std::any_of(values.begin(), values.end(), [](double v) {

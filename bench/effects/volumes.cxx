@@ -247,9 +247,9 @@ void MeasureTransmittance(const Scene& scene, int size, const VolumeSizes& sizes
     {
       continue;
     }
-    // By nodes along rays, and for the default by 7 to 31 terms of each ray.
+    // By nodes along rays, and for one number of them by 7 to 31 terms of each ray.
     for (const int harmonics :
-      nodes == 256 ? std::vector<int>{ 0, 3, 7, 15 } : std::vector<int>{ 0 })
+      nodes == sizes.FourierNodes ? std::vector<int>{ 0, 3, 7, 15 } : std::vector<int>{ 0 })
     {
       vtkRelievoOpticalDepths grid;
       const double before = GetProcessorMilliseconds();

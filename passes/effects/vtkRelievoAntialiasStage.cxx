@@ -40,7 +40,7 @@ void vtkRelievoAntialiasStage::Describe(vtkRelievoStageDescription& description)
   description.Writes = { vtkRelievoResources::Color };
   description.AddWhole(
     "samples", this->Samples, [this](int samples) { this->SetSamples(samples); }, 1, 256, "samples",
-    "Samples per pixel; each frame in which nothing changes adds one.");
+    "Samples per pixel. While nothing changes, each frame adds one.");
 }
 
 //------------------------------------------------------------------------------

@@ -505,8 +505,8 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
     .AddWhole(
       "volume_nodes", this->VolumeNodes, [this](int nodes) { this->SetVolumeNodes(nodes); }, 16,
       1024, "nodes",
-      "Largest number of nodes along an axis of the grids of light through volumes, which have "
-      "one for each voxel.")
+      "Largest number of nodes along an axis of the grids that store the light through volumes. A "
+      "grid has a node for each voxel, up to this number.")
     .Advanced = true;
   description
     .AddWhole(

@@ -202,8 +202,8 @@ void vtkRelievoEmptySpaceStage::Describe(vtkRelievoStageDescription& description
 {
   description.Name = "empty_space";
   description.Label = "Skip Empty Space";
-  description.Help = "Draws volumes faster: rays skip parts that the opacity function makes "
-                     "transparent, and the picture stays the same.";
+  description.Help = "Draws volumes faster: rays skip the parts of a volume that are wholly "
+                     "transparent. The picture stays the same.";
   description.Slot = vtkRelievoStageDescription::LIGHT_MAPS;
   description.Writes = { vtkRelievoResourceName::Of("empty space") };
 }

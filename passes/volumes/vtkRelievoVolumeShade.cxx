@@ -183,9 +183,10 @@ std::string vtkRelievoVolumeShade::Update(
   double nodes = 0.0;
   for (const std::size_t light : made)
   {
-    nodes += static_cast<double>(this->Depths[light].GetDepths().size());
+    const glm::dvec3 size(this->Depths[light].GetSize());
+    nodes += size.x * size.y * size.z;
   }
-  if (nodes > 0.0)
+  if (nodes > 0.0 && this->Harmonics == 0)
   {
     const auto took = std::chrono::steady_clock::now() - began;
     const double each = std::chrono::duration<double, std::milli>(took).count() / nodes;
@@ -331,7 +332,7 @@ bool vtkRelievoVolumeShade::Allocate(int lights)
   // A size that would do keeps: maps of a light that turns need more and less.
   const bool fits = this->Texture && this->Channels == this->GetChannels() &&
     this->Slices * lights <= this->Size[2] && size[0] <= this->Size[0] &&
-    size[1] <= this->Size[1] && size[2] <= this->Slices &&
+    size[1] <= this->Size[1] && size[2] <= this->Slices && this->Slices <= 2 * size[2] &&
     this->Size[2] <= 2 * this->Slices * lights;
   if (fits)
   {

@@ -22,6 +22,7 @@
 #include "vtkRelievoScreenTarget.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
+#include "vtkRelievoVolumeImages.h"
 #include "vtkRelievoVolumeReader.h"
 #include "vtkRelievoVolumeSettings.h"
 #include "vtkRelievoVolumeSplice.h"
@@ -115,6 +116,27 @@ std::string WhyNot(vtkVolume* volume)
       return "the blend modes isosurface and slice are not composited along the ray; take "
              "composite, or the surface of vtkFlyingEdges3D or vtkCutter";
   }
+}
+
+// The reason why VTK leaves out all of a volume's images, or "".
+std::string FindWhyNotDrawn(vtkVolume* volume)
+{
+  auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  bool others = false;
+  std::string why;
+  for (vtkImageData* image : mapper
+      ? vtkRelievoVolumeImages::Find(mapper->GetDataObjectInput(), others)
+      : std::vector<vtkImageData*>())
+  {
+    int cells = 0;
+    vtkDataArray* values = vtkRelievoVolumeImages::GetScalars(mapper, image, cells);
+    why = values ? vtkRelievoVolumeImages::FindWhyNotDrawn(mapper, image, values) : std::string();
+    if (why.empty())
+    {
+      break;
+    }
+  }
+  return why;
 }
 
 // Index of the component that gives a sample's value, as GLSL: the one with the greatest weight, or
@@ -272,8 +294,8 @@ void vtkRelievoVolumesStage::Describe(vtkRelievoStageDescription& description)
   description
     .AddFlag(
       "solid", this->Solid, [this](bool on) { this->SetSolid(on); },
-      "Volumes count as surfaces: depth, range and position are those of the nearer of both, and "
-      "volumes are objects of data sets.")
+      "Volumes count as surfaces: depth, range and position are those of the surface or the volume "
+      "in front, and volumes are objects of data sets.")
     .Label = "Volumes Are Solid";
 }
 
@@ -371,6 +393,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   in.Target.Select(0);
   in.Quad.Draw(context, in.Target.GetArea(), vtkRelievoScreenQuad::WRITES_DEPTH);
   ++this->DrawCalls;
+  std::string missing;
   const int longest = std::max(1024, vtkTextureObject::GetMaximumTextureSize(context.Window));
   for (const Drawn& each : volumes)
   {
@@ -392,6 +415,8 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
       const glm::vec3 points(drawn.Points);
       program->SetUniform3f("relievoVolumePoints", &points[0]);
     };
+    const std::string why = FindWhyNotDrawn(each.Volumes.front());
+    missing += why.empty() ? "" : "; a volume is not drawn: " + why;
     in.Target.Select(static_cast<int>(in.Volumes.size()));
     in.Splice->Begin({ each.Prop }, context.Window);
     {
@@ -440,7 +465,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
       return;
     }
   }
-  this->Explain("ran", "draws " + std::to_string(in.Volumes.size()) + " volumes");
+  this->Explain("ran", "draws " + std::to_string(in.Volumes.size()) + " volumes" + missing);
 }
 
 //------------------------------------------------------------------------------

@@ -168,7 +168,7 @@ std::string DecorateIf(const Described& described, const vtkRelievoParameter::Co
     else if (!other->Choices.empty())
     {
       const auto place = std::find(other->Choices.begin(), other->Choices.end(), value);
-      value = std::to_string(place - other->Choices.begin());
+      value = std::to_string(other->FirstChoice + (place - other->Choices.begin()));
     }
     return Decorate(described.GetExposedName(condition.Name), value, condition.Other);
   }
@@ -273,6 +273,23 @@ std::string MakeDomain(const vtkRelievoParameter& parameter, const Described& de
   return out.str();
 }
 
+// The sentence about the valid values. Properties have a control for each number of a value.
+std::string WriteExpected(const vtkRelievoParameter& parameter)
+{
+  using P = vtkRelievoParameter;
+  switch (parameter.Type)
+  {
+    case P::TEXT:
+    case P::SIZE:
+    case P::BOX:
+      return {};
+    case P::DATE:
+      return " Takes a year " + parameter.GetBounds() + ", a month and a day.";
+    default:
+      return " Takes " + parameter.GetExpected() + ".";
+  }
+}
+
 std::string MakeProperty(const Described& described, const vtkRelievoParameter& parameter)
 {
   using P = vtkRelievoParameter;
@@ -297,7 +314,7 @@ std::string MakeProperty(const Described& described, const vtkRelievoParameter& 
       << (parameter.Type == P::COLOR ? " panel_widget=\"color_selector\"" : "")
       << (parameter.Advanced ? " panel_visibility=\"advanced\"" : "") << ">\n"
       << MakeDomain(parameter, described)
-      << Documentation(parameter.Help + (text ? "" : " Takes " + ofAll.GetExpected() + ".") +
+      << Documentation(parameter.Help + WriteExpected(ofAll) +
            (parameter.PerPoint ? " For points without the array." : ""))
       << (own && parameter.OnlyIf.empty() ? "" : MakeHints(described, parameter, false))
       << "      </" << element << ">\n";

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The bench of volumes, small: its rows, that more nodes err less, and rays in double least;
-// that pictures whose transparent parts are skipped are VTK's.
+// The bench of volumes, small: its rows, that more nodes and more Fourier terms err less, and
+// rays in double least; that pictures whose transparent parts are skipped are VTK's.
 #include "VolumeSizes.h"
 
 #include "BenchSizes.h"
@@ -27,20 +27,25 @@ RELIEVO_TEST_CASE(testBenchVolumes)
   relievoBench::VolumeSizes sizes;
   sizes.Sizes = { 24 };
   sizes.Nodes = { 16, 32 };
+  sizes.FourierNodes = 32;
   sizes.Places = 100;
   sizes.FrameSizes = { 16 };
   sizes.Rounds = 1;
   RELIEVO_CHECK(relievoBench::BenchVolumes(folder, sizes) == 0);
   const auto rows = relievoTest::ReadCsv(folder + "/volumes.csv");
-  RELIEVO_CHECK(rows.size() == 4 * 7);
-  for (std::size_t i = 0; i + 6 < rows.size(); i += 7)
+  RELIEVO_CHECK(rows.size() == 4 * 10);
+  for (std::size_t i = 0; i + 9 < rows.size(); i += 10)
   {
     const std::string scene = rows[i].at("scene");
     const double coarse = relievoTest::Value(rows[i], "rms");
     const double fine = relievoTest::Value(rows[i + 1], "rms");
-    const double exact = relievoTest::Value(rows[i + 6], "rms");
-    RELIEVO_CHECK_THAT(rows[i + 6].at("method") == "exact", scene);
+    const double exact = relievoTest::Value(rows[i + 9], "rms");
+    RELIEVO_CHECK_THAT(rows[i + 9].at("method") == "exact", scene);
     RELIEVO_CHECK_AT_MOST(fine, coarse, scene + ": more nodes");
+    RELIEVO_CHECK(rows[i + 2].at("setting") == "7" && rows[i + 4].at("setting") == "31");
+    RELIEVO_CHECK_THAT(
+      relievoTest::Value(rows[i + 4], "rms") < relievoTest::Value(rows[i + 2], "rms"),
+      scene + ": 31 Fourier terms against 7");
     // Rays in double are the truth of "waves". Of the ball, the voxels' own error remains.
     if (scene != "waves")
     {

@@ -35,6 +35,8 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace testParameters
 {
@@ -219,6 +221,53 @@ void TestPairsAndConditions()
   RELIEVO_CHECK(vtkRelievoParameter().GetConditions().empty());
 }
 
+// Dates, boxes, sizes, choices whose first is not 0, and whole numbers of 64 bits.
+void TestOtherTypes()
+{
+  int day[3] = { 2026, 1, 5 };
+  double box[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
+  int size[2] = { 1, 2 };
+  int choice = 2;
+  long long label = 7;
+  vtkRelievoParameterList list;
+  list.AddDate(
+    "day", day, [&day](const int* given) { std::copy_n(given, 3, day); }, 1900, 2100, "Day.");
+  list.AddBox(
+    "box", box, [&box](const double* given) { std::copy_n(given, 6, box); }, "Box.");
+  list.AddSize(
+    "size", size, [&size](const int* given) { std::copy_n(given, 2, size); }, 0, "S.");
+  list.AddChoice(
+    "choice", choice, [&choice](int given) { choice = given; }, { "two", "three" }, "Choice.", 2);
+  list.AddWhole(
+    "label", label, [&label](long long given) { label = given; }, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX,
+    "", "Label.");
+  RELIEVO_CHECK(list.GetDefault("day") == "2026-01-05" && list.GetDefault("choice") == "two");
+  const auto takes = [&list](const std::string& name, const std::string& words) {
+    return list.TrySet(name, words).empty() && list.GetValue(name) == words;
+  };
+  RELIEVO_CHECK(takes("day", "2026-06-21") && day[0] == 2026 && day[1] == 6 && day[2] == 21);
+  RELIEVO_CHECK(takes("box", "-1,1,0,2,0.5,3") && box[0] == -1.0 && box[5] == 3.0);
+  RELIEVO_CHECK(takes("size", "4x0") && size[0] == 4 && size[1] == 0);
+  RELIEVO_CHECK(takes("choice", "three") && choice == 3 && takes("choice", "two") && choice == 2);
+  RELIEVO_CHECK(takes("label", "-9007199254740992") && label == -9007199254740992LL);
+  const std::vector<std::pair<const char*, std::vector<const char*>>> wrong = {
+    { "day",
+      { "2026-13-01", "2026-00-01", "2026-02-32", "1899-01-01", "2026-06", "2026-06-21-1" } },
+    { "box", { "0,1,0,1,0", "0,1,0,1,0,nan", "0,1,0,1,0,1,0" } },
+    { "size", { "4x", "4", "4x4x4", "-1x4", "4.5x4" } }, { "choice", { "one", "2", "" } },
+    { "label", { "1e30", "-1e30", "9007199254740994", "0.5" } }
+  };
+  for (const auto& each : wrong)
+  {
+    const std::string before = list.GetValue(each.first);
+    for (const char* words : each.second)
+    {
+      RELIEVO_CHECK_THAT(!list.TrySet(each.first, words).empty(), words);
+      RELIEVO_CHECK_THAT(list.GetValue(each.first) == before, words);
+    }
+  }
+}
+
 // By the name, unless the description has another word for people.
 void TestLabels()
 {
@@ -266,6 +315,7 @@ RELIEVO_TEST_CASE(testParameters)
   TestDefaults();
   TestWords();
   TestPairsAndConditions();
+  TestOtherTypes();
   TestLabels();
   TestLabelsOfStages();
   return session.Result();

@@ -914,6 +914,16 @@ class Stages(unittest.TestCase):
         self.assertIn("neither hiding nor darkened: 1 volume", self.reason(scene, "ambient"))
         self.assertIn("lit by VTK: 1 volume", self.reason(scene, "deferred"))
 
+    def test_left_handed(self):
+        """VTK draws no image with left-handed axes, and the report says so."""
+        image = image_of(ball())
+        image.SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, -1)
+        scene = Scene(image, STEEP)
+        relievo.attach(scene.renderer)
+        self.assertLess(scene.capture()["volume_opacity"].max(), 0.1)
+        reason = self.reason(scene, "volumes")
+        self.assertIn("a volume is not drawn: its image has left-handed axes", reason)
+
     def test_blend_and_tone(self):
         """A volume is in the layer blend; the tone curve applies to it."""
         scene = self.box(0.05)

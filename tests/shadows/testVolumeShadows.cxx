@@ -38,6 +38,7 @@
 #include <vtkRelievoPlacedVolume.h>
 #include <vtkRelievoShadowStage.h>
 #include <vtkRelievoVolumeExtinction.h>
+#include <vtkSmartVolumeMapper.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
@@ -297,18 +298,37 @@ void TestHard()
 // light that passes is the white background behind a black volume, in VTK's own picture.
 void TestBytes()
 {
-  const std::pair<int, double> kinds[] = { { VTK_UNSIGNED_CHAR, 128.0 }, { VTK_SIGNED_CHAR, 100.0 },
-    { VTK_SIGNED_CHAR, -100.0 } };
+  constexpr float step = 1.f / 256.f;
+  vtkNew<vtkFixedPointVolumeRayCastMapper> fixed; // draws on the processor
+  fixed->AutoAdjustSampleDistancesOff();
+  fixed->SetSampleDistance(step);
+  vtkNew<vtkSmartVolumeMapper> smart;
+  smart->SetRequestedRenderModeToRayCast();
+  smart->AutoAdjustSampleDistancesOff();
+  smart->SetSampleDistance(step);
+  const struct
+  {
+    int Type;
+    double Value;
+    vtkVolumeMapper* Mapper;
+  } kinds[] = { { VTK_UNSIGNED_CHAR, 128.0, nullptr }, { VTK_SIGNED_CHAR, 100.0, nullptr },
+    { VTK_SIGNED_CHAR, -100.0, nullptr }, { VTK_UNSIGNED_CHAR, 128.0, fixed },
+    { VTK_UNSIGNED_CHAR, 128.0, smart } };
   for (const auto& kind : kinds)
   {
-    const double value = kind.second;
+    const double value = kind.Value;
     // A range with the value in its middle, where VTK's table has no offset of half an entry.
     const auto scalars = [=](const glm::dvec3& place) {
       const double corner = place.x + place.y + place.z;
       return value + (corner == 0.0 ? -20.0 : corner == 3.0 ? 20.0 : 0.0);
     };
-    Volume volume(17, scalars, 1.0, kind.first);
-    volume.Mapper->SetSampleDistance(1.f / 256.f);
+    Volume volume(17, scalars, 1.0, kind.Type);
+    volume.Mapper->SetSampleDistance(step);
+    if (kind.Mapper)
+    {
+      kind.Mapper->SetInputDataObject(volume.Image);
+      volume.Prop->SetMapper(kind.Mapper);
+    }
     volume.Opacity->RemoveAllPoints();
     volume.Opacity->AddPoint(value - 1.0, 0.0);
     volume.Opacity->AddPoint(value + 1.0, 0.9);
@@ -327,7 +347,8 @@ void TestBytes()
       relievoTest::Picture(stage.Window)->GetScalarComponentAsDouble(32, 32, 0, 0) / 255.0;
     const Source source = Sun({ 0, 0, -1 });
     const glm::dvec3 behind(0.51, 0.51, -1.0);
-    const std::string what = "bytes of " + std::to_string(value);
+    const std::string what =
+      "bytes of " + std::to_string(value) + ", " + volume.Prop->GetMapper()->GetClassName();
     RELIEVO_CHECK_NEAR(std::exp(-volume.GetDepth(source, behind)), drawn, 0.01, what);
     RELIEVO_CHECK_NEAR(
       std::exp(-volume.GetExact(source, behind)), drawn, 0.01, what + ", in double");
@@ -365,6 +386,16 @@ void TestRefused()
       std::string reason;
       RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(each.first->Prop.Get(), reason).empty());
       RELIEVO_CHECK_THAT(reason.find(each.second) != std::string::npos, reason);
+      // A mapper that draws on the GPU inside leaves the same out, on the processor nothing.
+      vtkNew<vtkSmartVolumeMapper> smart;
+      smart->SetInputDataObject(each.first->Image);
+      each.first->Prop->SetMapper(smart);
+      RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(each.first->Prop.Get(), reason).empty());
+      RELIEVO_CHECK_THAT(reason.find(each.second) != std::string::npos, reason);
+      each.first->Opacity->AddPoint(0.0, 0.5);
+      smart->SetRequestedRenderModeToRayCast();
+      RELIEVO_CHECK(!vtkRelievoVolumeExtinction::Collect(each.first->Prop.Get(), reason).empty());
+      RELIEVO_CHECK_THAT(reason.empty(), reason);
     }
   }
 

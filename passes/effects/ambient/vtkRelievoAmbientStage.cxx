@@ -90,7 +90,7 @@ void vtkRelievoAmbientStage::Describe(vtkRelievoStageDescription& description)
     .OnlyIf = "enabled=on";
   description.AddNumber(
     "radius", this->Radius, [this](double radius) { this->SetRadius(radius); }, 0.0, LargestRadius,
-    "world units", "Distance beyond which nothing hides the sky; 0: no limit.");
+    "world units", "Greatest distance at which surfaces hide the sky; 0: no limit.");
   description
     .AddChoice(
       "weighting", this->Weighting, [this](int weighting) { this->SetWeighting(weighting); },

@@ -80,7 +80,7 @@ public:
     }
   }
 
-  // `stride`: between two values that are stored.
+  // `stride`: between two stored values.
   template <typename Value>
   void Store(const std::vector<Value>& parts, Value* to, std::size_t stride) const
   {
@@ -345,7 +345,7 @@ double vtkRelievoOpticalDepths::GetDepth(const glm::dvec3& world) const
 }
 
 //------------------------------------------------------------------------------
-// Between what is stored.
+// Between stored values.
 double vtkRelievoOpticalDepths::Interpolate(const glm::dvec3& texel) const
 {
   const glm::ivec3 size = this->GetStored();

@@ -14,7 +14,6 @@
 #include "vtkRelievoPropMTime.h"
 #include "vtkRelievoVolumeChannel.h"
 #include "vtkRelievoVolumeImages.h"
-#include "vtkSmartVolumeMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -47,9 +46,7 @@ std::string vtkRelievoPlacedVolume::FindWhyNotPlaced(vtkVolume* volume)
   {
     return "it is a vtkMultiVolume; use a vtkVolume for each of its volumes";
   }
-  auto* smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
-  if (mapper->IsA("vtkFixedPointVolumeRayCastMapper") ||
-    (smart && smart->GetLastUsedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode))
+  if (vtkRelievoVolumeImages::IsDrawnOnProcessor(mapper))
   {
     return "its mapper draws on the processor; use a vtkGPUVolumeRayCastMapper";
   }
@@ -120,6 +117,7 @@ void vtkRelievoPlacedVolume::AddState(bool colored, std::vector<std::uint64_t>& 
   {
     return;
   }
+  state.push_back(vtkRelievoVolumeImages::IsDrawnOnProcessor(mapper) ? 1 : 0);
   vtkDataObject* data = mapper->GetDataObjectInput();
   state.push_back(reinterpret_cast<std::uintptr_t>(data));
   state.push_back(data ? vtkRelievoPropMTime::OfData(data) : 0);

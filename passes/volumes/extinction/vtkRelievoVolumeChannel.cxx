@@ -5,7 +5,6 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkRelievoVolumeImages.h"
 #include "vtkVolumeProperty.h"
 
 #include <cmath>
@@ -32,8 +31,9 @@ void GetRange(vtkDataArray* array, int component, double range[2])
 
 //------------------------------------------------------------------------------
 vtkRelievoVolumeChannel::vtkRelievoVolumeChannel(vtkVolumeProperty* property, vtkImageData* image,
-  vtkDataArray* array, int component, int function)
+  vtkDataArray* array, int component, int function, double stretch)
   : Component(component)
+  , Stretch(stretch)
 {
   this->Weight = static_cast<float>(property->GetComponentWeight(function));
   double* range = this->Range;
@@ -45,7 +45,6 @@ vtkRelievoVolumeChannel::vtkRelievoVolumeChannel(vtkVolumeProperty* property, vt
   this->Extinction.resize(Entries);
   std::transform(opacities.begin(), opacities.end(), this->Extinction.begin(),
     [this](float opacity) { return static_cast<float>(GetExtinction(opacity, this->Unit)); });
-  this->Stretch = vtkRelievoVolumeImages::GetStretch(array);
   this->First = static_cast<float>(range[0] / this->Stretch);
   this->PerScalar = static_cast<float>(this->Stretch * (Entries - 1) / (range[1] - range[0]));
   if (HasGradients(property, function))

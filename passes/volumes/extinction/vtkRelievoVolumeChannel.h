@@ -21,7 +21,7 @@ struct vtkRelievoVolumeChannel
   static constexpr int Entries = 4096; // of tables
 
   vtkRelievoVolumeChannel(vtkVolumeProperty* property, vtkImageData* image, vtkDataArray* array,
-    int component, int function);
+    int component, int function, double stretch);
 
   int Component = 0;
   float Weight = 1.f;

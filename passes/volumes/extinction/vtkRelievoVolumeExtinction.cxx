@@ -5,7 +5,6 @@
 #include "vtkDataArray.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 #include "vtkRelievoPlacedVolume.h"
 #include "vtkRelievoVolumeImages.h"
 #include "vtkVolume.h"
@@ -52,21 +51,6 @@ std::string FindWhyNot(vtkVolume* volume, vtkVolumeMapper* mapper)
   }
   return std::string();
 }
-
-// The reason why a mapper on the GPU leaves an image out, or "".
-std::string FindWhyNotDrawn(vtkVolumeMapper* mapper, vtkImageData* image, vtkDataArray* values)
-{
-  if (mapper->IsA("vtkGPUVolumeRayCastMapper") && values->GetDataType() == VTK_CHAR)
-  {
-    return "VTK does not draw values of VTK_CHAR; use VTK_SIGNED_CHAR";
-  }
-  if (!mapper->IsA("vtkFixedPointVolumeRayCastMapper") &&
-    image->GetDirectionMatrix()->Determinant() < 0.0)
-  {
-    return "its image has left-handed axes, of which VTK culls the front; reverse one axis";
-  }
-  return std::string();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -104,7 +88,7 @@ std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
     {
       continue;
     }
-    why = FindWhyNotDrawn(mapper, image, field.Array);
+    why = vtkRelievoVolumeImages::FindWhyNotDrawn(mapper, image, field.Array);
     if (!why.empty())
     {
       return {};
@@ -143,11 +127,14 @@ std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
     {
       return {};
     }
+    const double stretch = vtkRelievoVolumeImages::IsDrawnOnProcessor(mapper)
+      ? 1.0
+      : vtkRelievoVolumeImages::GetStretch(field.Array);
     for (int i = 0; i < (independent ? components : 1); ++i)
     {
       // The last of two or four dependent components is the opacity's.
       vtkRelievoVolumeChannel channel(
-        property, image, field.Array, independent ? i : components - 1, i);
+        property, image, field.Array, independent ? i : components - 1, i, stretch);
       const bool seen = *std::max_element(channel.Extinction.begin(), channel.Extinction.end()) > 0;
       // VTK weights components only if there are several.
       channel.Weight = independent ? channel.Weight : 1.f;

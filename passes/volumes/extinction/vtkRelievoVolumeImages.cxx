@@ -7,8 +7,10 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkRelievoMatrix.h"
 #include "vtkSmartPointer.h"
+#include "vtkSmartVolumeMapper.h"
 #include "vtkVolumeMapper.h"
 
 #include <algorithm>
@@ -43,6 +45,38 @@ vtkDataArray* vtkRelievoVolumeImages::GetScalars(
 {
   return vtkAbstractMapper::GetScalars(image, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
     mapper->GetArrayId(), mapper->GetArrayName(), cells);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVolumeImages::IsDrawnOnProcessor(vtkAbstractVolumeMapper* mapper)
+{
+  auto* smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+  if (!smart)
+  {
+    return mapper && mapper->IsA("vtkFixedPointVolumeRayCastMapper");
+  }
+  // The mode of the last frame may be another one than the next frame's.
+  const int requested = smart->GetRequestedRenderMode();
+  return (requested == vtkSmartVolumeMapper::DefaultRenderMode
+             ? smart->GetLastUsedRenderMode()
+             : requested) == vtkSmartVolumeMapper::RayCastRenderMode;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoVolumeImages::FindWhyNotDrawn(
+  vtkAbstractVolumeMapper* mapper, vtkImageData* image, vtkDataArray* values)
+{
+  if (IsDrawnOnProcessor(mapper))
+  {
+    return {};
+  }
+  if (values->GetDataType() == VTK_CHAR)
+  {
+    return "VTK does not draw values of VTK_CHAR; use VTK_SIGNED_CHAR";
+  }
+  return image->GetDirectionMatrix()->Determinant() < 0.0
+    ? "its image has left-handed axes, of which VTK culls the front; reverse one axis"
+    : "";
 }
 
 //------------------------------------------------------------------------------

@@ -7,8 +7,10 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <string>
 #include <vector>
 
+class vtkAbstractVolumeMapper;
 class vtkDataArray;
 class vtkDataObject;
 class vtkImageData;
@@ -21,6 +23,13 @@ std::vector<vtkImageData*> Find(vtkDataObject* data, bool& others);
 
 // The values that the mapper draws; `cells`: whether they belong to cells.
 vtkDataArray* GetScalars(vtkVolumeMapper* mapper, vtkImageData* image, int& cells);
+
+// Whether the mapper draws without VTK's shader.
+bool IsDrawnOnProcessor(vtkAbstractVolumeMapper* mapper);
+
+// The reason why VTK leaves an image of these values out, or "".
+std::string FindWhyNotDrawn(
+  vtkAbstractVolumeMapper* mapper, vtkImageData* image, vtkDataArray* values);
 
 // VTK's shader looks values of 8 and 16 bits up in transfer functions as if they were larger by
 // this factor: it divides them by their number of values (vtkVolumeTexture::GetScaleAndBias),

@@ -60,8 +60,7 @@ void vtkPVRelievoSun::DescribePosition()
   vtkRelievoParameter& by = list.AddChoice(
     "by", this->By, [this](int placing) { this->By = placing; }, { "angles", "date_and_place" },
     "Placement of the sun: by azimuth and elevation, or by date, time and place on Earth. The "
-    "values "
-    "of the other method stay, without effect.");
+    "values of the other method stay, without effect.");
   by.Label = "Placed By";
   by.ChoiceLabels = { "Angles", "Date and place" };
   const auto setDate = [this](const int* date) {
@@ -71,8 +70,7 @@ void vtkPVRelievoSun::DescribePosition()
   setDate(this->Date);
   list
     .AddDate("date", this->Date, setDate, 1900, 2100,
-      "Year (1900 to 2100), month and day. A day beyond the end of the month counts on into the "
-      "next.")
+      "Date of the clock. A day beyond the end of the month counts on into the next.")
     .OnlyIf = "by=date_and_place";
   const auto add = [this, &list](const char* name, double& value, double least, double most,
                      const char* unit, const char* help) -> vtkRelievoParameter& {
@@ -106,8 +104,7 @@ void vtkPVRelievoSun::DescribePosition()
     "by=date_and_place";
   vtkRelievoParameter& north = add("north", this->North, -infinity, infinity, "degrees",
     "By how much the data's north is rotated, clockwise seen from above, from the axis that is "
-    "north "
-    "otherwise: y with z up, -z with y up, z with x up.");
+    "north otherwise: y with z up, -z with y up, z with x up.");
   north.Usual = 360.0;
   north.Advanced = true;
 }
