@@ -54,11 +54,15 @@ class Settings(unittest.TestCase):
         least = r"number,? (?:from )?([\d.]+(?:e-\d+)?)"
         bounds = re.search(rf"{least} (?:to ([\d.e+]+)(?<!\.)|or more)", help_)
         if choices:
-            for place, word in enumerate(choices[1].split(", ")):
+            places = []
+            for word in choices[1].split(", "):
                 self.assertEqual(made.TrySetParameter(name, word), "", name)
-                self.assertEqual(got(), place, name)
+                places.append(got())
+            self.assertEqual(places, list(range(places[0], places[0] + len(places))), name)
         elif " numbers" in help_.partition("Takes")[2]:
-            values = (4, 5) if "two" in help_ else (4, 5, 6)
+            counts = {"two": 2, "2": 2, "six": 6}
+            (count,) = re.findall(r"Takes (?:a )?(\w+) (?:whole )?numbers", help_) or ["three"]
+            values = tuple(range(4, 4 + counts.get(count, 3)))
             words = ("x" if "whole" in help_ else ",").join(map(str, values))
             self.assertEqual(made.TrySetParameter(name, words), "", name)
             self.assertEqual(tuple(got()), values, name)
