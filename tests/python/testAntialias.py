@@ -283,6 +283,59 @@ class Antialias(unittest.TestCase):
             actor.GetShaderProperty().ClearAllFragmentShaderReplacements()
             self.assertGreater(numpy.ptp(fewer), 100)
 
+    def test_parts_of_marked_pixels(self):
+        """Pixels that get all samples are drawn in parts, each with its own triangles: the picture
+        is that of one part with all triangles, which actors' own shaders ask for, but for
+        rounding in a few pixels. An actor without triangles changes nothing."""
+        self.window.SetSize(320, 240)
+        numbers = numpy.random.default_rng(7)
+        actors, draws = [], []
+        for i in range(2):
+            points, faces = vtkPoints(), vtkCellArray()
+            centers = numbers.uniform((-32, -24, -20), (32, 24, 20), (300, 3))
+            for corner in (centers[:, None] + numbers.normal(0, 3, (300, 3, 3))).reshape(-1, 3):
+                points.InsertNextPoint(*corner)
+            for corner in range(0, 900, 3):
+                faces.InsertNextCell(3, range(corner, corner + 3))
+            soup = vtkPolyData()
+            soup.SetPoints(points)
+            soup.SetPolys(faces)
+            actors.append(vtkActor())
+            actors[i].SetMapper(vtkPolyDataMapper())
+            actors[i].GetMapper().SetInputData(soup)
+            actors[i].GetProperty().SetColor(*numbers.uniform(0.3, 1, 3))
+        actors[0].GetMapper().AddObserver("StartEvent", lambda *_: draws.append(1))
+        actors[0].RotateWXYZ(40, 1, 2, 3)
+        actors.append(vtkActor())  # another one of the second's mapper
+        actors[2].SetMapper(actors[1].GetMapper())
+        actors[2].SetProperty(actors[1].GetProperty())
+        actors[2].SetPosition(8, 5, 6)
+        for actor in actors:
+            actor.AddPosition(32, 24, 0)
+            actor.GetProperty().LightingOff()
+            self.renderer.AddActor(actor)
+        empty = vtkActor()
+        empty.SetMapper(vtkPolyDataMapper())
+        empty.GetMapper().SetInputData(vtkPolyData())
+        drawn = {}
+        for case in "parts", "with an empty one", "whole":
+            if case == "with an empty one":
+                self.renderer.AddActor(empty)
+            elif case == "whole":
+                for actor in actors:
+                    actor.GetShaderProperty().AddFragmentShaderReplacement(
+                        "//VTK::Light::Impl", True, "// own\n//VTK::Light::Impl", False)
+            draws.clear()
+            shown = self.smooth(24)
+            drawn[case] = shown, len(draws)
+        shown, count = drawn["parts"]
+        numpy.testing.assert_array_equal(drawn["with an empty one"][0], shown)
+        self.assertEqual(drawn["with an empty one"][1], count)
+        whole, fewer = drawn["whole"]
+        self.assertGreater(count, fewer)
+        differing = (whole != shown).any(axis=-1).sum()
+        self.assertLess(differing, 40)
+
     def test_one_by_one(self):
         """A program that must answer meanwhile gets a sample a frame; a picture that waits is that
         which is drawn at once."""

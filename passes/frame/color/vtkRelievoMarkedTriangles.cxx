@@ -148,7 +148,7 @@ void vtkRelievoMarkedTriangles::Project(const vtkRelievoFrameContext& context)
       const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
       const glm::dvec2 own =
         half * (glm::dvec2(rounding) + glm::abs(ndc) * rounding.w) / (clip.w - rounding.w);
-      const double most = std::max(own.x, own.y);
+      const double most = own.x + own.y; // the raster is rotated
       const bool known = clip.w > 2.0 * rounding.w && most < MostSlack;
       slack = known ? std::max(slack, most) : slack;
       this->Places[i] = glm::vec2(
@@ -184,6 +184,26 @@ void vtkRelievoMarkedTriangles::Find(const vtkRelievoFrameContext& context,
     static_cast<GLsizeiptr>(corners.size() * sizeof(unsigned int)), corners.data());
   indices->Release();
   const glm::vec2 last(context.View.Viewport[2] - 1, context.View.Viewport[3] - 1);
+  // For each row of pixels, the first part that reaches it or a higher one, and the end of those
+  // that begin there or lower.
+  const auto rows = static_cast<std::size_t>(context.View.Viewport[3]);
+  std::vector<std::size_t> firstFrom(rows, parts.size());
+  std::vector<std::size_t> endTo(rows, 0);
+  for (std::size_t part = 0; part < parts.size(); ++part)
+  {
+    const int y = parts[part][1];
+    for (std::size_t row = 0; row < rows; ++row)
+    {
+      if (static_cast<int>(row) < y + parts[part][3])
+      {
+        firstFrom[row] = std::min(firstFrom[row], part);
+      }
+      if (static_cast<int>(row) >= y)
+      {
+        endTo[row] = part + 1;
+      }
+    }
+  }
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
   {
     const glm::vec2& a = this->Places[corners[i]];
@@ -202,7 +222,7 @@ void vtkRelievoMarkedTriangles::Find(const vtkRelievoFrameContext& context,
     {
       continue;
     }
-    for (std::size_t part = 0; part < parts.size(); ++part)
+    for (std::size_t part = firstFrom[from.y]; part < endTo[to.y]; ++part)
     {
       const glm::ivec2 corner(parts[part][0], parts[part][1]);
       const glm::ivec2 least = glm::max(from, corner);

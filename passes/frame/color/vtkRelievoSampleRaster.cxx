@@ -18,6 +18,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkPolygon.h"
 #include "vtkProperty.h"
 #include "vtkRelievoColorBuffers.h"
@@ -123,6 +124,13 @@ bool ReadsPixel(vtkActor* actor)
   std::string use;
   std::getline(pattern, use);
   return std::regex_search(all, std::regex(use));
+}
+
+// Whether a mesh has no cells.
+bool IsEmpty(vtkMapper* mapper)
+{
+  auto* meshes = vtkPolyDataMapper::SafeDownCast(mapper);
+  return meshes && meshes->GetInput() && meshes->GetInput()->GetNumberOfCells() == 0;
 }
 
 // Classes are compared by name: subclasses may draw anything.
@@ -401,7 +409,7 @@ void vtkRelievoSampleRaster::DrawMarked(
   for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
   {
     auto* actor = vtkActor::SafeDownCast(props[i]);
-    const bool draws = actor && actor->GetMapper();
+    const bool draws = actor && actor->GetMapper() && !IsEmpty(actor->GetMapper());
     this->Triangles.emplace_back(draws ? new vtkRelievoMarkedTriangles(actor) : nullptr);
     possible = possible && (!draws || this->Triangles.back()->IsPossible());
   }
@@ -427,7 +435,7 @@ void vtkRelievoSampleRaster::DrawMarked(
   {
     this->Marks.Choose(parts[i]);
     this->Begin(context, this->All, parts[i], true);
-    this->DrawOpaque(context, i);
+    this->DrawActors(context, i, false);
     this->DrawTranslucent(context, i);
     this->End(context, target, parts[i], true);
   }
@@ -435,33 +443,31 @@ void vtkRelievoSampleRaster::DrawMarked(
 }
 
 //------------------------------------------------------------------------------
-// Calls the function for each actor; for marked pixels, with its triangles in the part.
-template <typename Work>
-void vtkRelievoSampleRaster::ForActors(
-  const vtkRelievoFrameContext& context, std::size_t part, Work&& work)
+// Draws the actors' opaque or translucent geometry; for marked pixels, the triangles in the part.
+void vtkRelievoSampleRaster::DrawActors(
+  const vtkRelievoFrameContext& context, std::size_t part, bool translucent)
 {
   vtkProp** props = context.State->GetPropArray();
   for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
   {
     auto* actor = vtkActor::SafeDownCast(props[i]);
+    if (!actor ||
+      !(translucent ? actor->HasTranslucentPolygonalGeometry() : actor->HasOpaqueGeometry()))
+    {
+      continue;
+    }
     vtkRelievoMarkedTriangles* triangles =
       this->Triangles.empty() ? nullptr : this->Triangles[i].get();
-    if (actor && (!triangles || triangles->Begin(part)))
+    if (!triangles || triangles->Begin(part))
     {
-      work(actor);
+      translucent ? actor->RenderTranslucentPolygonalGeometry(context.Renderer)
+                  : actor->RenderOpaqueGeometry(context.Renderer);
     }
     if (triangles)
     {
       triangles->End();
     }
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoSampleRaster::DrawOpaque(vtkRelievoFrameContext& context, std::size_t part)
-{
-  this->ForActors(
-    context, part, [&context](vtkActor* actor) { actor->RenderOpaqueGeometry(context.Renderer); });
 }
 
 //------------------------------------------------------------------------------
@@ -473,12 +479,7 @@ void vtkRelievoSampleRaster::DrawTranslucent(vtkRelievoFrameContext& context, st
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  this->ForActors(context, part, [&context](vtkActor* actor) {
-    if (actor->HasTranslucentPolygonalGeometry())
-    {
-      actor->RenderTranslucentPolygonalGeometry(context.Renderer);
-    }
-  });
+  this->DrawActors(context, part, true);
 }
 
 //------------------------------------------------------------------------------
@@ -500,7 +501,7 @@ void vtkRelievoSampleRaster::End(vtkRelievoFrameContext& context, vtkRelievoColo
     if (i > 0)
     {
       this->Begin(context, this->Few, this->Parts[i], false);
-      this->DrawOpaque(context, i);
+      this->DrawActors(context, i, false);
     }
     this->DrawTranslucent(context, i);
     this->End(context, target, this->Parts[i], false);

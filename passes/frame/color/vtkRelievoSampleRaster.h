@@ -86,9 +86,7 @@ private:
   void DrawMarked(vtkRelievoFrameContext& context, vtkRelievoColorTarget& target);
   void Leave(vtkRelievoFrameContext& context);
   void Free(vtkWindow* window);
-  template <typename Work>
-  void ForActors(const vtkRelievoFrameContext& context, std::size_t part, Work&& work);
-  void DrawOpaque(vtkRelievoFrameContext& context, std::size_t part);
+  void DrawActors(const vtkRelievoFrameContext& context, std::size_t part, bool translucent);
   void DrawTranslucent(vtkRelievoFrameContext& context, std::size_t part);
 
   Part Drawn{};            // of the viewport
