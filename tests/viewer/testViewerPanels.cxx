@@ -23,12 +23,15 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QScreen>
 #include <QScrollBar>
 #include <QSettings>
 #include <QTabBar>
 #include <QToolButton>
 #include <QtTest>
 
+#include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -97,6 +100,15 @@ private:
       // One that is behind another has no region that is seen.
       QCOMPARE(!dock->visibleRegion().isEmpty(), QString(name) == "scene");
     }
+  }
+
+  void CheckShown()
+  {
+    for (const char* name : Docks)
+    {
+      QVERIFY2(!this->Window->findChild<QDockWidget*>(name)->isHidden(), name);
+    }
+    QVERIFY(this->Window->findChild<QDockWidget*>("comparison")->isHidden());
   }
 
 private Q_SLOTS:
@@ -346,6 +358,12 @@ private Q_SLOTS:
     QTRY_VERIFY(getShare() <= 0.3 && !look->isHidden());
     this->Window->resize(800, 480);
     QTRY_VERIFY(getShare() <= 0.3 && look->isHidden());
+    look->toggleViewAction()->trigger(); // the others are not forgotten
+    QVERIFY(!look->isHidden());
+    panels->trigger();
+    QVERIFY(look->isHidden());
+    panels->trigger();
+    this->CheckShown();
     this->Window->resize(1280, 800);
     QTRY_VERIFY(!look->isHidden());
     // Hidden by the user, they stay hidden.
@@ -355,6 +373,51 @@ private Q_SLOTS:
     this->Window->resize(1280, 800);
     QTRY_COMPARE(this->Window->width(), 1280);
     QVERIFY(look->isHidden());
+  }
+
+  // Panels that were closed one by one, or hidden in the last run, come back.
+  void hiddenPanels()
+  {
+    this->Window = std::make_unique<viewer::MainWindow>();
+    this->Window->show();
+    for (const char* name : Docks)
+    {
+      this->Window->findChild<QDockWidget*>(name)->close();
+    }
+    this->Window->findChild<QAction*>("panels")->trigger();
+    this->CheckShown();
+    this->Window->findChild<QAction*>("panels")->trigger();
+    this->Window->close();
+    this->Window = std::make_unique<viewer::MainWindow>();
+    this->Window->RestoreLayout();
+    QSettings().clear();
+    this->Window->show();
+    QVERIFY(this->Window->findChild<QDockWidget*>("scene")->isHidden());
+    this->Window->findChild<QAction*>("panels")->trigger();
+    this->CheckShown();
+  }
+
+  // The view gets the size, whether panels are hidden or shown with the window's new one.
+  void viewSize()
+  {
+    viewer::PictureView* view = nullptr;
+    const auto open = [&](const QSize& window, const char* size) {
+      this->Window = std::make_unique<viewer::MainWindow>();
+      this->Window->resize(window);
+      this->Window->show();
+      QVERIFY(QTest::qWaitForWindowExposed(this->Window.get()));
+      view = this->Window->GetView();
+      this->OpenAgain({ this->WriteScene(), "--size", size });
+    };
+    open(QSize(1280, 800), "320x240");
+    QTRY_COMPARE(view->size(), QSize(320, 240));
+    QVERIFY(this->Window->findChild<QDockWidget*>("scene")->isHidden());
+    open(QSize(800, 480), "1180x500");
+    QTRY_VERIFY(this->Window->findChild<QDockWidget*>("scene")->isVisible());
+    const int room = this->Window->screen()->availableSize().width() -
+      (this->Window->frameGeometry().width() - view->width());
+    QTRY_VERIFY2(std::abs(view->width() - std::min(1180, room)) <= 1,
+      qPrintable(QString("%1 of %2").arg(view->width()).arg(room)));
   }
 
   // Nothing is cut off at the right, with all that can be unfolded.

@@ -58,11 +58,17 @@ QList<QDockWidget*> PanelSwitch::FindDocked() const
 //------------------------------------------------------------------------------
 void PanelSwitch::Hide()
 {
-  this->Hidden.clear();
+  if (!this->ByItself) // otherwise the user has shown some again
+  {
+    this->Hidden.clear();
+  }
   this->Top = nullptr;
   for (QDockWidget* dock : this->FindDocked())
   {
-    this->Hidden += dock;
+    if (!this->Hidden.contains(dock))
+    {
+      this->Hidden += dock;
+    }
     if (!dock->visibleRegion().isEmpty())
     {
       this->Top = dock;
@@ -81,6 +87,17 @@ void PanelSwitch::Hide()
 //------------------------------------------------------------------------------
 void PanelSwitch::Show()
 {
+  const bool none = this->FindDocked().isEmpty();
+  if (this->Hidden.isEmpty()) // the user closed them one by one, or in the last run
+  {
+    for (QDockWidget* dock : this->Window->findChildren<QDockWidget*>())
+    {
+      if (!dock->isFloating() && dock->objectName() != "comparison") // there may be none
+      {
+        this->Hidden += dock;
+      }
+    }
+  }
   for (QDockWidget* dock : this->Hidden)
   {
     if (dock)
@@ -88,7 +105,7 @@ void PanelSwitch::Show()
       dock->show();
     }
   }
-  if (this->Top)
+  if (this->Top && none)
   {
     this->Top->raise();
   }
@@ -98,8 +115,8 @@ void PanelSwitch::Show()
 //------------------------------------------------------------------------------
 void PanelSwitch::Toggle()
 {
-  this->ByItself = false;
   this->FindDocked().isEmpty() ? this->Show() : this->Hide();
+  this->ByItself = false;
 }
 
 //------------------------------------------------------------------------------
