@@ -442,8 +442,8 @@ void OnOutputs(const Outputs& outputs, Work work)
 }
 
 //------------------------------------------------------------------------------
-void WriteGltf(
-  vtkRelievoGltfWriter* writer, const StyledScene& styled, int upAxis, const std::string& given)
+void WriteGltf(vtkRelievoGltfWriter* writer, const StyledScene& styled, int upAxis,
+  const std::string& option, const std::string& given)
 {
   writer->SetRenderer(styled.GetRenderer());
   writer->SetUpAxis(upAxis);
@@ -454,7 +454,7 @@ void WriteGltf(
   Messages::Check(given, !writer->Write(), "cannot be written");
   for (int i = 0; i < writer->GetNumberOfNotes(); ++i)
   {
-    Messages::Note("--gltf: " + writer->GetNote(i));
+    Messages::Note(option + ": " + writer->GetNote(i));
   }
 }
 
@@ -600,7 +600,7 @@ vtkSmartPointer<vtkImageData> DrawFrame(StyledScene& styled, vtkRelievoPass* pas
     {
       const vtkNew<vtkRelievoGltfWriter> gltf;
       gltf->SetFileName(outputs.Temporary(options.Gltf));
-      WriteGltf(gltf, styled, options.UpAxis, options.Gltf);
+      WriteGltf(gltf, styled, options.UpAxis, "--gltf", options.Gltf);
     }
     for (const std::string& warning : Messages::TakeWarnings())
     {
@@ -671,7 +671,7 @@ public:
     {
       this->Writer->SetFileName(this->File.Temporary(this->Options.Gltf));
       OnOutputs(this->File, [this] {
-        WriteGltf(this->Writer, this->Styled, this->Options.UpAxis, this->Options.Gltf);
+        WriteGltf(this->Writer, this->Styled, this->Options.UpAxis, "--gltf", this->Options.Gltf);
       });
       this->File.Commit();
     }
@@ -904,10 +904,10 @@ std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
 void WriteGltf(const StyledScene& styled, const std::string& path)
 {
   Outputs outputs;
-  outputs.Add("glTF", path, {});
+  outputs.Add("glTF", path, GetInputs(styled.GetOptions()));
   const vtkNew<vtkRelievoGltfWriter> writer;
   writer->SetFileName(outputs.Temporary(path));
-  OnOutputs(outputs, [&] { WriteGltf(writer, styled, styled.GetOptions().UpAxis, path); });
+  OnOutputs(outputs, [&] { WriteGltf(writer, styled, styled.GetOptions().UpAxis, "glTF", path); });
   outputs.Commit();
 }
 }

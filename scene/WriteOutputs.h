@@ -44,7 +44,7 @@ std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
   std::unique_ptr<Outputs> outputs, Progress& progress);
 
 /// Writes the scene, drawn in a window, as glTF (.glb). Throws UsageError or WorkError for a place
-/// that cannot be written.
+/// that cannot be written or is an input.
 void WriteGltf(const StyledScene& styled, const std::string& path);
 }
 

@@ -16,6 +16,25 @@
 namespace scene
 {
 //------------------------------------------------------------------------------
+std::vector<std::string> GetInputs(const RenderOptions& options)
+{
+  std::vector<std::string> inputs = options.Files;
+  for (const PointsChoice& choice : options.Points)
+  {
+    inputs.push_back(choice.File);
+  }
+  inputs.push_back(options.Motion.Path);
+  if (vtkRelievoCalibration::IsFile(options.Lens))
+  {
+    inputs.push_back(options.Lens);
+  }
+  inputs.insert(inputs.end(),
+    { options.Surface.NormalMap, options.Surface.HeightMap, options.Surface.Environment });
+  inputs.erase(std::remove(inputs.begin(), inputs.end(), std::string()), inputs.end());
+  return inputs;
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string> CheckInputs(const RenderOptions& options)
 {
   for (const std::string& folder : options.AllowedFolders)
@@ -28,27 +47,20 @@ std::vector<std::string> CheckInputs(const RenderOptions& options)
     CheckReadable(path);
   }
   CheckSurface(options.Surface);
-  std::vector<std::string> inputs = options.Files;
   for (const PointsChoice& choice : options.Points)
   {
     CheckPointFile(choice);
-    inputs.push_back(choice.File);
   }
   if (!options.Motion.Path.empty())
   {
     CheckReadable(options.Motion.Path);
     CameraPath::Read(options.Motion.Path); // before the long work
-    inputs.push_back(options.Motion.Path);
   }
   if (vtkRelievoCalibration::IsFile(options.Lens))
   {
     CheckReadable(options.Lens);
-    inputs.push_back(options.Lens);
   }
-  inputs.insert(inputs.end(),
-    { options.Surface.NormalMap, options.Surface.HeightMap, options.Surface.Environment });
-  inputs.erase(std::remove(inputs.begin(), inputs.end(), std::string()), inputs.end());
-  return inputs;
+  return GetInputs(options);
 }
 
 //------------------------------------------------------------------------------

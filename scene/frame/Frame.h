@@ -19,7 +19,10 @@ namespace scene
 {
 struct RenderOptions;
 
-/// Every file named by the options; throws UsageError or WorkError for one that cannot be opened or
+/// Every file named by the options.
+std::vector<std::string> GetInputs(const RenderOptions& options);
+
+/// Returns GetInputs(); throws UsageError or WorkError for one that cannot be opened or
 /// does not fit its option.
 std::vector<std::string> CheckInputs(const RenderOptions& options);
 

@@ -302,6 +302,35 @@ private Q_SLOTS:
       std::exception);
   }
 
+  // Outputs replace no file of the scene, and notes name no option.
+  void keepsInputs()
+  {
+    const std::string image = this->WriteImage();
+    const std::string scene = this->WriteScene();
+    this->Open({ scene, "--environment", image, "--light", "point:1,3,1.5" });
+    const auto read = [](const std::string& path) {
+      QFile file(QString::fromStdString(path));
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray before[] = { read(scene), read(image) };
+    viewer::PictureChoice picture;
+    picture.Path = QString::fromStdString(image);
+    QVERIFY_EXCEPTION_THROWN(this->Window->SavePicture(picture), words::UsageError);
+    QVERIFY_EXCEPTION_THROWN(
+      this->Window->ExportGltf(QString::fromStdString(scene)), words::UsageError);
+    QVERIFY(!before[0].isEmpty() && read(scene) == before[0] && read(image) == before[1]);
+    this->Window->ExportGltf(QString::fromStdString(this->Path("noted.glb")));
+    const QString said = this->Window->findChild<QLabel*>("words")->text();
+    QVERIFY2(said.contains("noted.glb; glTF: "), qPrintable(said));
+    // Messages belong to the reader while there is one.
+    auto* action = this->Window->findChild<QAction*>("exportGltf");
+    QVERIFY(action->isEnabled());
+    this->Window->Reload();
+    QVERIFY(!action->isEnabled());
+    this->WaitUntilRead();
+    QVERIFY(action->isEnabled());
+  }
+
   // The view keeps its picture while one of another size is drawn.
   void viewWhileSaving()
   {

@@ -61,6 +61,7 @@ void Loader::Begin()
   this->Thread = std::thread([this, settings = this->Asked, pointsOnly = this->PointsOnly] {
     this->Read(settings, pointsOnly);
   });
+  Q_EMIT this->busyChanged();
 }
 
 //------------------------------------------------------------------------------
@@ -95,6 +96,7 @@ void Loader::Read(const scene::Settings& settings, bool pointsOnly)
 void Loader::End(const QString& trouble)
 {
   this->Thread.join();
+  Q_EMIT this->busyChanged();
   if (!this->Stopped)
   {
     this->Wanted = false;

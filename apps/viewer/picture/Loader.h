@@ -50,6 +50,9 @@ public:
 Q_SIGNALS:
   void progressed(const QString& what, int percent);
 
+  /// IsBusy() has changed.
+  void busyChanged();
+
   /// `trouble` is empty after success.
   void ended(const QString& trouble);
 

@@ -155,6 +155,7 @@ PictureView::~PictureView()
 //------------------------------------------------------------------------------
 void PictureView::Draw()
 {
+  this->Untold = false; // another picture follows
   if (!this->Soon.isActive())
   {
     this->Soon.start(0);

@@ -53,11 +53,15 @@ QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySeq
 }
 
 //------------------------------------------------------------------------------
-// An action on the picture, disabled while there is none.
-QAction* NeedPicture(MainWindow* window, QAction* action)
+// An action on the picture, disabled while there is none; or while a file is read, if the action
+// collects messages, which are the reader's then.
+QAction* NeedPicture(MainWindow* window, QAction* action, bool collectsMessages = false)
 {
-  const auto follow = [window, action] { action->setEnabled(!window->GetView()->IsEmpty()); };
+  const auto follow = [window, action, collectsMessages] {
+    action->setEnabled(!window->GetView()->IsEmpty() && !(collectsMessages && window->IsBusy()));
+  };
   QObject::connect(window->GetDocument(), &Document::factsChanged, action, follow);
+  QObject::connect(window, &MainWindow::busyChanged, action, follow);
   follow();
   return action;
 }
@@ -139,22 +143,27 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
         window->SavePicture(*choice);
       }
     }));
-  NeedPicture(
-    window, Add(menu, window, "Save &layers...", QKeySequence("Ctrl+E"), "saveLayers", [window] {
-      const relievoQt::LightNames lights = GetLightNames(window->GetView()->GetPicture());
-      if (const auto choice =
-            AskLayers(window, GetViewSize(window), ListLayers(window, lights), lights))
-      {
-        window->SaveLayers(*choice);
-      }
-    }));
-  NeedPicture(window, Add(menu, window, "Export &glTF...", QKeySequence(), "exportGltf", [window] {
-    const QString path = AskPlace(window, "Export glTF", ".glb");
-    if (!path.isEmpty())
-    {
-      window->ExportGltf(path);
-    }
-  }));
+  NeedPicture(window,
+    Add(menu, window, "Save &layers...", QKeySequence("Ctrl+E"), "saveLayers",
+      [window] {
+        const relievoQt::LightNames lights = GetLightNames(window->GetView()->GetPicture());
+        if (const auto choice =
+              AskLayers(window, GetViewSize(window), ListLayers(window, lights), lights))
+        {
+          window->SaveLayers(*choice);
+        }
+      }),
+    true);
+  NeedPicture(window,
+    Add(menu, window, "Export &glTF...", QKeySequence(), "exportGltf",
+      [window] {
+        const QString path = AskPlace(window, "Export glTF", ".glb");
+        if (!path.isEmpty())
+        {
+          window->ExportGltf(path);
+        }
+      }),
+    true);
   NeedPicture(
     window, Add(menu, window, "Compare &with...", QKeySequence(), "compareWith", [window] {
       const QString path =

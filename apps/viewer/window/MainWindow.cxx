@@ -281,6 +281,7 @@ void MainWindow::Connect()
     this->Edited, &Document::refused, this, [this](const QString& why) { this->Say(why, true); });
   QObject::connect(this->Reader, &Loader::progressed, this, &MainWindow::OnProgress);
   QObject::connect(this->Reader, &Loader::ended, this, &MainWindow::OnRead);
+  QObject::connect(this->Reader, &Loader::busyChanged, this, &MainWindow::busyChanged);
   QObject::connect(this->Cancel, &QPushButton::clicked, this, &MainWindow::StopReading);
   QObject::connect(&this->Waiting, &QTimer::timeout, this, &MainWindow::ShowReading);
   QObject::connect(&this->Later, &QTimer::timeout, this, &MainWindow::ShowLate);
@@ -612,6 +613,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     return;
   }
   this->Reader->Stop();
+  this->hide(); // the rest may have to wait for a sample
   this->Panels->Open();
   this->KeepLayout();
   this->QMainWindow::closeEvent(event);

@@ -115,6 +115,9 @@ Q_SIGNALS:
   /// All requested files have been read, or have failed.
   void ready();
 
+  /// IsBusy() has changed.
+  void busyChanged();
+
 protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;

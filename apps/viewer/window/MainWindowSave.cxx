@@ -4,6 +4,7 @@
 // The window's saving: sessions, pictures and layers, with all samples.
 #include "MainWindow.h"
 
+#include "Frame.h"
 #include "LightPanel.h"
 #include "Messages.h"
 #include "Outputs.h"
@@ -11,6 +12,7 @@
 #include "RecentFiles.h"
 #include "SaveDialog.h"
 #include "SessionFile.h"
+#include "StyledScene.h"
 #include "TimeBar.h"
 #include "Transparency.h"
 #include "WriteOutputs.h"
@@ -42,13 +44,13 @@ namespace
 constexpr int SavePatience = 500; // milliseconds until the user is told
 constexpr int MostIdle = 10;
 
-// Writes a file completely or not at all.
+// Writes a file completely or not at all, and over none of the scene's files.
 template <typename Writer>
-void Write(const QString& path, vtkImageData* image)
+void Write(const QString& path, vtkImageData* image, const scene::StyledScene& scene)
 {
   const std::string place = path.toStdString();
   reading::Outputs outputs;
-  outputs.Add("Save", place, {});
+  outputs.Add("Save", place, scene::GetInputs(scene.GetOptions()));
   vtkNew<Writer> writer;
   writer->SetInputData(image);
   writer->SetFileName(outputs.Temporary(place).c_str());
@@ -226,7 +228,7 @@ void MainWindow::SavePicture(const PictureChoice& choice)
   const PictureView::OtherSize sized(this->Shown, choice.Size);
   if (const auto picture = choice.Transparent ? this->DrawTransparent() : this->Draw())
   {
-    Write<vtkPNGWriter>(choice.Path, picture);
+    Write<vtkPNGWriter>(choice.Path, picture, this->Shown->GetPicture().GetScene());
     this->SaySaved(choice.Path);
   }
 }
@@ -263,7 +265,8 @@ void MainWindow::SaveLayers(const LayersChoice& choice)
   }
   source->Update();
   reading::Messages::Check(choice.Path.toStdString(), source->GetErrorCode() != 0);
-  Write<vtkRelievoEXRWriter>(choice.Path, source->GetOutput());
+  Write<vtkRelievoEXRWriter>(
+    choice.Path, source->GetOutput(), this->Shown->GetPicture().GetScene());
   this->SaySaved(choice.Path);
 }
 
@@ -273,11 +276,12 @@ void MainWindow::ExportGltf(const QString& path)
   Picture& picture = this->Shown->GetPicture();
   picture.CheckShown("Export glTF");
   scene::WriteGltf(picture.GetScene(), path.toStdString());
-  this->SaySaved(path);
+  QString saved = path;
   for (const std::string& note : reading::Messages::TakeNotes())
   {
-    this->Say(this->Words->text() + "; " + QString::fromStdString(note));
+    saved += "; " + QString::fromStdString(note);
   }
+  this->SaySaved(saved);
   this->Shown->Draw();
 }
 }
