@@ -10,7 +10,9 @@ import runpy
 import sys
 
 package = importlib.util.find_spec("relievo").submodule_search_locations[0]
-spec = importlib.util.spec_from_file_location("relievo_vtkmodules", f"{package}/_vtkmodules.py")
+spec = importlib.util.spec_from_file_location(
+    "relievo_vtkmodules", f"{package}/_package/vtkmodules.py"
+)
 module = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(module)
 own = runpy.run_path(f"{package}/_build.py")["VTK"]
