@@ -273,7 +273,7 @@ vtkRelievoSunExposure::vtkRelievoSunExposure()
     "Share of light that the ground reflects."));
   lit(list.AddNumber(
     "turbidity", this->Turbidity, [this](double turbidity) { this->SetTurbidity(turbidity); }, 1.0,
-    10.0, "", "Linke's turbidity of the clear sky: 2 in clear, 3 in usual, 5 in hazy air."));
+    10.0, "", "Turbidity of the clear sky by Linke: 2 in clear, 3 in usual, 5 in hazy air."));
   lit(list.AddNumber(
     "altitude", this->Altitude, [this](double metres) { this->SetAltitude(metres); }, -500.0,
     9000.0, "metres", "Height above the sea, for the clear sky."));

@@ -18,6 +18,7 @@
 #include "vtkRelievoModelReader.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -34,8 +35,41 @@ constexpr double Near = 1e-4;   // of the scene's depths
 constexpr double Levels = 4.;   // of 255: unlit textures are multiplied in another space
 constexpr double Cosine = 0.99; // of the angle between normals: 8 degrees, where a mesh is coarse
 
+// Hides the edges of surfaces, which files leave out, while it exists.
+class HiddenEdges
+{
+public:
+  explicit HiddenEdges(vtkRenderer* renderer)
+  {
+    vtkActorCollection* actors = renderer->GetActors();
+    vtkCollectionSimpleIterator it;
+    actors->InitTraversal(it);
+    while (vtkActor* actor = actors->GetNextActor(it))
+    {
+      if (vtkProperty* property = actor->GetProperty(); property->GetEdgeVisibility())
+      {
+        property->EdgeVisibilityOff();
+        this->Hidden.emplace_back(property);
+      }
+    }
+  }
+  ~HiddenEdges()
+  {
+    for (vtkProperty* property : this->Hidden)
+    {
+      property->EdgeVisibilityOn();
+    }
+  }
+  HiddenEdges(const HiddenEdges&) = delete;
+  HiddenEdges& operator=(const HiddenEdges&) = delete;
+
+private:
+  std::vector<vtkSmartPointer<vtkProperty>> Hidden;
+};
+
 vtkSmartPointer<vtkImageData> Draw(vtkRenderer* renderer)
 {
+  const HiddenEdges hidden(renderer);
   vtkNew<vtkRelievoLayerSource> source;
   source->SetRenderer(renderer);
   for (const char* name : { "depth", "normal", "albedo", "actor" })

@@ -576,6 +576,15 @@ class Written(GltfTest):
         wanted = linear_of(mapped(actor.GetMapper(), heights))[cells]
         self.assertLess(numpy.abs(found.colors[..., :3] - wanted).max(), 1 / 65535)
 
+    def test_edges_are_left_out(self):
+        """With a note, from the file and from its comparison; the scene keeps them."""
+        actor = self.add(self.sphere())
+        actor.GetProperty().EdgeVisibilityOn()
+        scene, notes = self.write()
+        self.assertEqual(len(scene.primitives()), 1)
+        self.assertEqual(notes, ["edges are left out: glTF has none on surfaces"])
+        self.assertTrue(actor.GetProperty().GetEdgeVisibility())
+
     def test_colors_of_cells(self):
         source = vtkCubeSource()
         source.Update()

@@ -155,7 +155,7 @@ PictureView::~PictureView()
 //------------------------------------------------------------------------------
 void PictureView::Draw()
 {
-  this->Untold = false; // another picture follows
+  this->Unannounced = false; // another picture follows
   if (!this->Soon.isActive())
   {
     this->Soon.start(0);
@@ -179,7 +179,7 @@ void PictureView::OnDrawn()
   {
     return; // see ShowSample
   }
-  this->Untold = false;
+  this->Unannounced = false;
   vtkRelievoPass* frame = this->Shown ? this->Shown->GetFrame() : nullptr;
   const int left = frame ? frame->GetSamplesLeft() : 0;
   if (left > 0 && left >= this->SamplesLeft) // this was the first sample
@@ -257,7 +257,7 @@ void PictureView::GoOn()
   else if (slow && SampleThread::IsPossible())
   {
     this->Holding->AbortFlagOnExecuteOn();
-    this->Untold = true;
+    this->Unannounced = true;
     this->Sample.Lend();
   }
   else
@@ -294,7 +294,7 @@ Picture& PictureView::GetPicture()
 void PictureView::ShowSample()
 {
   this->TakeBack();
-  if (this->Untold)
+  if (this->Unannounced)
   {
     this->OnDrawn();
     this->update();

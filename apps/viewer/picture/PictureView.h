@@ -109,8 +109,8 @@ private:
   unsigned long Beginning;
   vtkNew<vtkCallbackCommand> Holding; // painting, while a thread draws
   SampleThread Sample;
-  bool Unpainted = false; // the window waits for the sample
-  bool Untold = false;    // a thread has drawn a sample, and nobody was told
+  bool Unpainted = false;   // the window waits for the sample
+  bool Unannounced = false; // a thread draws a sample, or has drawn one
   bool Picking = false;
   QTimer Soon, Rest;
   QElapsedTimer Begun; // start of the frame
