@@ -233,7 +233,7 @@ vtkRelievoSkyPatches::Sums vtkRelievoSkyPatches::Receiver::Receive(
     {
       return sums;
     }
-    // The nodes with the largest bounds first, until the others add up to half of the allowed bound.
+    // The largest bounds first, until the others add up to half of the allowed one.
     std::stable_sort(this->Nodes.begin(), this->Nodes.end(),
       [](const Node& a, const Node& b) { return a.Light.Bound > b.Light.Bound; });
     const std::vector<Node> before = std::move(this->Nodes);
