@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Points of the unit square for rays into the sky, converted to directions by formulas/sky.glsl.
+// Points of the unit square for rays into the sky, converted to directions by
+// formulas/light/sky.glsl.
 #ifndef vtkRelievoSkySamples_h
 #define vtkRelievoSkySamples_h
 

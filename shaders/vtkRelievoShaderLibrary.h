@@ -4,8 +4,8 @@
  * @class vtkRelievoShaderLibrary
  * @brief The GLSL sources of Relievo, by their path below shaders/.
  *
- * A line `//RELIEVO::Include(formulas/depth.glsl)` in a source is replaced by that file, once per
- * source even if several lines name it.
+ * A line `//RELIEVO::Include(formulas/formats/depth.glsl)` in a source is replaced by that file,
+ * once per source even if several lines name it.
  */
 #ifndef vtkRelievoShaderLibrary_h
 #define vtkRelievoShaderLibrary_h

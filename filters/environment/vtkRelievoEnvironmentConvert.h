@@ -16,7 +16,7 @@
  * s = (i + 0.5) / n, t = (j + 0.5) / n, so row 0 of the four side faces is the highest one. A
  * sphere map is 0 outside its circle.
  *
- * shaders/formulas/environment.glsl defines the directions for all of Relievo: axes are
+ * shaders/formulas/light/environment.glsl defines the directions for all of Relievo: axes are
  * right-handed with +y up; the middle of an equirectangular image is in direction +x, and +z is a
  * quarter of the width to its right; cubes are laid out as OpenGL's samplerCube reads them; the
  * middle of a sphere map is in direction +z.

@@ -9,7 +9,7 @@
  * Output: a vtkTable of nine rows with one column "radiance" of three components (red, green, blue,
  * double): the coefficients of the light in the real orthonormal spherical harmonics up to order 2,
  * row l * l + l + m. GetCoefficient returns one, GetIrradiance evaluates them; shaders do the same
- * with shaders/formulas/irradiance.glsl.
+ * with shaders/formulas/light/irradiance.glsl.
  *
  * Each texel is treated as uniform light over its exact solid angle: harmonics are integrated over
  * it with 2 x 2 Gauss points, on texels divided until a cube's face has 32 across, and the solid

@@ -10,7 +10,8 @@
  * that filter (n x n x 6, float scalars "radiance"), each half as wide as the one before, so that
  * they are the levels of one OpenGL cube map. Level k is for roughness k / (Levels - 1), which its
  * field array "roughness" holds; level 0 is the environment itself, with Size texels across a face.
- * A shader reads level relievoPrefilterLevel(roughness, Levels) of shaders/formulas/prefilter.glsl.
+ * A shader reads level relievoPrefilterLevel(roughness, Levels) of
+ * shaders/formulas/light/prefilter.glsl.
  *
  * A texel in direction r is the mean of the light around r, weighted as by a mirror of that
  * roughness at normal incidence (GGX, alpha = roughness^2; normal = view = r: the first

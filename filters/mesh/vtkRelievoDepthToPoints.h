@@ -14,8 +14,8 @@
  *
  * Output: one vertex per pixel with a finite depth, at that depth on the ray through the pixel's
  * centre; coordinates are double. Every projection is supported: perspective, parallel, off-centre,
- * oblique. The formulas are those of shaders/formulas/unproject.glsl, in double. The field data is
- * passed on.
+ * oblique. The formulas are those of shaders/formulas/geometry/unproject.glsl, in double. The field
+ * data is passed on.
  *
  * Without the arrays, or with a camera that cannot be inverted, the filter reports one error, sets
  * the error code vtkErrorCode::UserError, and its output is empty.

@@ -8,7 +8,7 @@
  * skyboxes, in any number of windows, can share one (vtkRelievoMaterial::SetEnvironment,
  * vtkRelievoSkybox::SetEnvironment).
  *
- * shaders/formulas/environment.glsl defines the directions for all of Relievo: axes are
+ * shaders/formulas/light/environment.glsl defines the directions for all of Relievo: axes are
  * right-handed with +y up; the centre of an equirectangular image is in direction +x, and +z is a
  * quarter of the width to its right; cubes have the layout of OpenGL's samplerCube; the centre of a
  * sphere map is in direction +z. vtkRelievoEnvironmentConvert converts other images.

@@ -7,7 +7,7 @@
 // Reads these names of VTK's shaders: vertexVC, normalVCVSOutput, gl_FragData[0].
 
 //RELIEVO::Section(Dec)
-//RELIEVO::Include(formulas/srgb.glsl)
+//RELIEVO::Include(formulas/color/srgb.glsl)
 //RELIEVO::Include(ambient/sees.glsl)
 uniform mat4 ambientToLocal; // the tree's space, from eye space
 uniform float ambientStrength;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The visible share of the sky at a point, by this frame's rays through the triangles of the scene.
-//RELIEVO::Include(formulas/shadow.glsl)
-//RELIEVO::Include(formulas/sky.glsl)
+//RELIEVO::Include(formulas/light/shadow.glsl)
+//RELIEVO::Include(formulas/light/sky.glsl)
 //RELIEVO::Include(rays/passes.glsl)
 //RELIEVO::Include(rays/walk.glsl)
 uniform samplerBuffer ambientNoise; // blue, 64 x 64

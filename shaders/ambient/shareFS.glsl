@@ -7,7 +7,7 @@
 // The visible share of the sky at each pixel's surface, by rays through the triangles of the scene;
 // 1 in the background.
 //RELIEVO::Include(gbuffer/read.glsl)
-//RELIEVO::Include(formulas/unproject.glsl)
+//RELIEVO::Include(formulas/geometry/unproject.glsl)
 //RELIEVO::Include(ambient/sees.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;

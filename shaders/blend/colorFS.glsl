@@ -5,8 +5,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Composites the translucent layer over the colour.
-//RELIEVO::Include(formulas/half.glsl)
-//RELIEVO::Include(formulas/blend.glsl)
+//RELIEVO::Include(formulas/formats/half.glsl)
+//RELIEVO::Include(formulas/color/blend.glsl)
 //RELIEVO::Include(frame/color.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sizes and positions of cubes in the vertex shader of VTK's instances. Inserted after the
 // declaration of the instance's matrix, which it replaces in all later code.
-//RELIEVO::Include(formulas/cube.glsl)
+//RELIEVO::Include(formulas/geometry/cube.glsl)
 
 uniform vec4 relievoCubeCell; // sides of a cell, and the longest one
 uniform vec3 relievoCubeFall; // transition, size at rest, growth

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of a lamp's light reflected in addition to the light times the surface's colour.
-//RELIEVO::Include(formulas/srgb.glsl)
-//RELIEVO::Include(formulas/shading.glsl)
+//RELIEVO::Include(formulas/color/srgb.glsl)
+//RELIEVO::Include(formulas/light/shading.glsl)
 relievoSurface relievoLit = relievoNoSurface; // at the pixel
 
 bool relievoIsGlossy(relievoSurface surface)

@@ -3,7 +3,7 @@
 // The light that a lamp of vtkRelievoLampList sends to a point. RELIEVO_ONE_LAMP: there is only one
 // lamp; RELIEVO_LINEAR_LAMPS: all lamps have linear fall-off. Defines, because software OpenGL
 // executes all branches of an `if`, and reads buffers slowly.
-//RELIEVO::Include(formulas/lamp.glsl)
+//RELIEVO::Include(formulas/light/lamp.glsl)
 uniform samplerBuffer relievoLamps;            // position, radius; colour, fall-off
 #ifdef RELIEVO_ONE_LAMP
 uniform vec4 relievoOnlyLamp[2]; // its two texels

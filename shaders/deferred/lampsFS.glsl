@@ -18,9 +18,9 @@
 // RELIEVO_HALVES: the sum is stored in half floats.
 // RELIEVO_LAMP_SHADOWS: with RELIEVO_LAMP_IN_QUAD, the lamp casts shadows.
 //RELIEVO::Include(gbuffer/read.glsl)
-//RELIEVO::Include(formulas/half.glsl)
-//RELIEVO::Include(formulas/srgb.glsl)
-//RELIEVO::Include(formulas/unproject.glsl)
+//RELIEVO::Include(formulas/formats/half.glsl)
+//RELIEVO::Include(formulas/color/srgb.glsl)
+//RELIEVO::Include(formulas/geometry/unproject.glsl)
 //RELIEVO::Include(deferred/lamp.glsl)
 #ifdef RELIEVO_LAMP_SHADOWS
 //RELIEVO::Include(shadow/lamp.glsl)

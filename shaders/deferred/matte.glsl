@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The share of a lamp's light that a surface scatters, in linear light.
-//RELIEVO::Include(formulas/srgb.glsl)
+//RELIEVO::Include(formulas/color/srgb.glsl)
 
 vec3 relievoMatte(relievoSurface surface)
 {

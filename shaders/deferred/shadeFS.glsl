@@ -14,8 +14,8 @@
 // some cast shadows. RELIEVO_PBR_SUNS_AT_PLACES: VTK's PBR treats a sun among lamps as a lamp at
 // the sun's position.
 //RELIEVO::Include(gbuffer/read.glsl)
-//RELIEVO::Include(formulas/unproject.glsl)
-//RELIEVO::Include(formulas/shading.glsl)
+//RELIEVO::Include(formulas/geometry/unproject.glsl)
+//RELIEVO::Include(formulas/light/shading.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize; // of the viewport
 uniform mat4 relievoProjection;

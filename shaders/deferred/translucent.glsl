@@ -8,7 +8,7 @@
 // diffuseIntensity, ambientColor, or albedo and metallic.
 
 //RELIEVO::Section(Dec)
-//RELIEVO::Include(formulas/srgb.glsl)
+//RELIEVO::Include(formulas/color/srgb.glsl)
 //RELIEVO::Include(deferred/lamp.glsl)
 //RELIEVO::Include(deferred/clusters.glsl)
 uniform int relievoLampsLight; // whether the actor is drawn translucent, and lit

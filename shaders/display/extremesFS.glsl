@@ -5,7 +5,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The least and the greatest finite value in squares of 16 x 16 pixels; 1 and 0 without any.
-//RELIEVO::Include(formulas/unproject.glsl)
+//RELIEVO::Include(formulas/geometry/unproject.glsl)
 #ifndef RELIEVO_SHOW_VOLUME_DEPTH
 //RELIEVO::Include(gbuffer/read.glsl)
 #endif

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shows a layer as the picture. RELIEVO_SHOW_COLORS: colours made by the CPU; otherwise the layer's
 // shader word in the catalogue: RELIEVO_SHOW_DEPTH ...
-//RELIEVO::Include(formulas/unproject.glsl)
+//RELIEVO::Include(formulas/geometry/unproject.glsl)
 #if !defined(RELIEVO_SHOW_COLORS) && !defined(RELIEVO_SHOW_VOLUME_DEPTH)
 //RELIEVO::Include(gbuffer/read.glsl)
 #endif

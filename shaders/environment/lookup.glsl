@@ -5,7 +5,7 @@
 // Defines: RELIEVO_ENVIRONMENT (the image's projection, a code of codes.glsl) and
 // RELIEVO_ENVIRONMENT_ROUGH (a cube with levels for rough mirrors exists).
 //RELIEVO::Include(codes.glsl)
-//RELIEVO::Include(formulas/environment.glsl)
+//RELIEVO::Include(formulas/light/environment.glsl)
 
 #if RELIEVO_ENVIRONMENT == RELIEVO_ENVIRONMENT_CUBE
 uniform samplerCube relievoEnvironmentImage;

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The fog of a pixel, premultiplied, to be blended over the linear colour; RELIEVO_TO_DISPLAY:
 // composited over it and encoded as the picture.
-//RELIEVO::Include(formulas/fog.glsl)
+//RELIEVO::Include(formulas/light/fog.glsl)
 #ifdef RELIEVO_TO_DISPLAY
 //RELIEVO::Include(frame/color.glsl)
 #endif

@@ -13,7 +13,7 @@
 #endif
 //RELIEVO::Include(frame/translucent_depth.glsl)
 //RELIEVO::Include(frame/volume_depth.glsl)
-//RELIEVO::Include(formulas/fog.glsl)
+//RELIEVO::Include(formulas/light/fog.glsl)
 flat in vec4 fogLinear;
 flat in vec4 fogLinearLacks;
 flat in vec4 fogSquare;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Depth from the delegate's z, with its precision (vtkRelievoFrameContext::GetDrawnDepthError);
 // pixel (0, 0) is the viewport's lower left one.
-//RELIEVO::Include(formulas/depth.glsl)
+//RELIEVO::Include(formulas/formats/depth.glsl)
 //RELIEVO::Include(frame/drawn.glsl)
 uniform vec3 relievoDrawnRange; // near, far, 1 if parallel
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The delegate's drawing over an empty buffer, premultiplied, in VTK's display colours.
-//RELIEVO::Include(formulas/blend.glsl)
+//RELIEVO::Include(formulas/color/blend.glsl)
 //RELIEVO::Include(frame/drawn.glsl)
 uniform int relievoAveraged; // alpha comes from VTK's weighted average
 

@@ -5,7 +5,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A translucent layer of the delegate, in linear light.
-//RELIEVO::Include(formulas/half.glsl)
+//RELIEVO::Include(formulas/formats/half.glsl)
 //RELIEVO::Include(frame/layer.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;

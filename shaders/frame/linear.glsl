@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The delegate's drawing, in linear light.
-//RELIEVO::Include(formulas/srgb.glsl)
+//RELIEVO::Include(formulas/color/srgb.glsl)
 //RELIEVO::Include(frame/drawn.glsl)
 
 vec4 relievoFetchLinear(ivec2 pixel)

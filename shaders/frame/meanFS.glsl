@@ -5,7 +5,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The linear colour as the mean of the gathered samples.
-//RELIEVO::Include(formulas/half.glsl)
+//RELIEVO::Include(formulas/formats/half.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
 uniform sampler2D relievoGathered;

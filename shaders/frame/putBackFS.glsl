@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A translucent layer of the delegate, over the colour, blended in display values as by VTK. Alpha
 // is the cover, even if VTK leaves another value, see relievoAveragedCover.
-//RELIEVO::Include(formulas/half.glsl)
+//RELIEVO::Include(formulas/formats/half.glsl)
 //RELIEVO::Include(frame/color.glsl)
 //RELIEVO::Include(frame/layer.glsl)
 in vec2 texCoord;

@@ -7,11 +7,11 @@
 // The mean, in linear light, of a pixel's samples in a raster, which are premultiplied and
 // composited over the earlier drawing; with RELIEVO_MARKED: only for marked pixels. With
 // RELIEVO_DEPTH: the z of the sample nearest to the pixel's centre.
-//RELIEVO::Include(formulas/half.glsl)
+//RELIEVO::Include(formulas/formats/half.glsl)
 //RELIEVO::Include(frame/raster.glsl)
 #ifndef RELIEVO_DEPTH
-//RELIEVO::Include(formulas/blend.glsl)
-//RELIEVO::Include(formulas/srgb.glsl)
+//RELIEVO::Include(formulas/color/blend.glsl)
+//RELIEVO::Include(formulas/color/srgb.glsl)
 //RELIEVO::Include(frame/drawn.glsl)
 #endif
 in vec2 texCoord;

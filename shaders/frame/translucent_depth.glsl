@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Depth of the nearest translucent surface; pixel (0, 0) is the viewport's lower left one.
-//RELIEVO::Include(formulas/depth.glsl)
+//RELIEVO::Include(formulas/formats/depth.glsl)
 #ifdef RELIEVO_TRANSLUCENT_DEPTH
 uniform sampler2D relievoTranslucentZ;
 uniform vec3 relievoTranslucentRange; // near, far, 1 if parallel

@@ -3,9 +3,9 @@
 // Reads the layers back from the words of the G-buffer; pixel (0, 0) is the viewport's lower left
 // one. Defines by vtkRelievoGBufferLayout, with codes of codes.glsl.
 //RELIEVO::Include(codes.glsl)
-//RELIEVO::Include(formulas/normal_depth.glsl)
-//RELIEVO::Include(formulas/octahedral.glsl)
-//RELIEVO::Include(formulas/surface.glsl)
+//RELIEVO::Include(formulas/formats/normal_depth.glsl)
+//RELIEVO::Include(formulas/formats/octahedral.glsl)
+//RELIEVO::Include(formulas/formats/surface.glsl)
 uniform usampler2D relievoWords1;
 #if RELIEVO_ATTACHMENTS > 1
 uniform usampler2D relievoWords2;

@@ -17,8 +17,8 @@
 
 //RELIEVO::Section(FragmentDec)
 //RELIEVO::Include(codes.glsl)
-//RELIEVO::Include(formulas/normal_depth.glsl)
-//RELIEVO::Include(formulas/octahedral.glsl)
+//RELIEVO::Include(formulas/formats/normal_depth.glsl)
+//RELIEVO::Include(formulas/formats/octahedral.glsl)
 layout(location = 1) out uvec4 relievoOutput1;
 #if RELIEVO_ATTACHMENTS > 1
 layout(location = 2) out uvec4 relievoOutput2;
@@ -38,7 +38,7 @@ uniform int relievoFaces; // whether faces are drawn, not their edges or corners
 uniform float relievoNear;
 uniform float relievoFar;
 #ifdef RELIEVO_SURFACE_WORD
-//RELIEVO::Include(formulas/surface.glsl)
+//RELIEVO::Include(formulas/formats/surface.glsl)
 uniform int relievoShading; // RELIEVO_SHADING_*
 uniform vec4 relievoHighlight[2]; // of both sides: colour times coefficient, exponent
 uniform vec2 relievoMetal; // metallic, roughness

@@ -6,7 +6,7 @@
 // The cover of a pixel by lines, from its distance to the nearest side that is a line;
 // premultiplied. LINES_HIDDEN: the cover is at least that of the dashes of hidden lines, drawn by
 // hiddenFS.glsl.
-//RELIEVO::Include(formulas/srgb.glsl)
+//RELIEVO::Include(formulas/color/srgb.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
 uniform sampler2D linesSides;

@@ -7,7 +7,7 @@
 // The cover of a pixel by one marker, premultiplied. All lengths but depths are in units of the
 // marker. RELIEVO_MARKER_SHADOWS: some markers are blob shadows, which need the normals.
 //RELIEVO::Include(gbuffer/read.glsl)
-//RELIEVO::Include(formulas/marker.glsl)
+//RELIEVO::Include(formulas/geometry/marker.glsl)
 flat in vec4 markerColor;
 flat in vec4 markerOrigin;  // from the centre to the ray at the centre's depth; and the pixel
 flat in vec4 markerOffsets; // change of the origin per pixel in x, and in y

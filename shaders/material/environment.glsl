@@ -10,7 +10,7 @@
 
 //RELIEVO::Section(FragmentDec)
 //RELIEVO::Include(environment/lookup.glsl)
-//RELIEVO::Include(formulas/fresnel.glsl)
+//RELIEVO::Include(formulas/light/fresnel.glsl)
 //RELIEVO::Include(material/eye.glsl)
 #ifndef RELIEVO_HAS_ENV_MATRIX
 uniform mat3 envMatrix; // set by VTK: from the view to the renderer's axes in the world
@@ -42,7 +42,7 @@ vec3 relievoColorOf(vec3 light)
 #endif
 
 #ifdef RELIEVO_IRRADIANCE
-//RELIEVO::Include(formulas/irradiance.glsl)
+//RELIEVO::Include(formulas/light/irradiance.glsl)
 uniform vec3 relievoIrradiance[9]; // with intensity and weight, over pi
 #endif
 

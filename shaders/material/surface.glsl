@@ -44,7 +44,7 @@ out vec3 relievoTangentGSOutput;
 
 //RELIEVO::Section(FragmentDec)
 //RELIEVO::Include(codes.glsl)
-//RELIEVO::Include(formulas/tangent_frame.glsl)
+//RELIEVO::Include(formulas/geometry/tangent_frame.glsl)
 //RELIEVO::Include(material/eye.glsl)
 in vec2 relievoTCoordVSOutput;
 #ifdef RELIEVO_TANGENTS

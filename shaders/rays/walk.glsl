@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Traces a ray to a light through the casters' triangles. The including shader has
-// formulas/shadow.glsl and rays/passes.glsl.
-//RELIEVO::Include(formulas/ray.glsl)
+// formulas/light/shadow.glsl and rays/passes.glsl.
+//RELIEVO::Include(formulas/geometry/ray.glsl)
 //RELIEVO::Include(rays/tree.glsl)
 
 // Light transmitted along a ray: the product of 1 - opacity, and of the colours, of all hit

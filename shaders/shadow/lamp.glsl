@@ -5,7 +5,7 @@
 #define RELIEVO_SHADOW_FACES 6
 #define RELIEVO_SHADOW_HAS_PLANE true
 #define RELIEVO_RECEIVER(matrix, place) (place)
-//RELIEVO::Include(formulas/shadow.glsl)
+//RELIEVO::Include(formulas/light/shadow.glsl)
 //RELIEVO::Include(shadow/lookup.glsl)
 //RELIEVO::Include(shadow/map.glsl)
 //RELIEVO::Include(shadow/reach.glsl)

@@ -5,7 +5,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One map of a light, over the drawn area.
-//RELIEVO::Include(formulas/depth.glsl)
+//RELIEVO::Include(formulas/formats/depth.glsl)
 in vec2 texCoord;
 uniform sampler2DArray relievoLightMaps;
 uniform float relievoLightLayer;

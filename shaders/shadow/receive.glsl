@@ -23,7 +23,7 @@
 #extension GL_ARB_texture_gather : enable
 
 //RELIEVO::Section(FragmentDec)
-//RELIEVO::Include(formulas/shadow.glsl)
+//RELIEVO::Include(formulas/light/shadow.glsl)
 // Places are relative to a point near the visible surfaces: far from the eye, the large parts of
 // matrix and position would otherwise cancel, and lose digits.
 uniform vec3 relievoShadowCenter; // eye space

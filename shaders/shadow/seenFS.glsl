@@ -3,7 +3,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The visible surface at a pixel: see seen.glsl.
-//RELIEVO::Include(formulas/octahedral.glsl)
+//RELIEVO::Include(formulas/formats/octahedral.glsl)
 in vec4 vertexVCVSOutput;
 #ifdef RELIEVO_SEEN_OFFSET
 uniform vec2 relievoSeenOffset; // of depths, as VTK's mappers move them: by slope, and constant

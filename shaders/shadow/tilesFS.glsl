@@ -9,7 +9,7 @@
 //
 // The boxes of all rays of the tile are enlarged by half of the tile's extent; and a triangle
 // blocks no ray of the tile if it is not between any corner of the tile and the light.
-//RELIEVO::Include(formulas/ray.glsl)
+//RELIEVO::Include(formulas/geometry/ray.glsl)
 //RELIEVO::Include(rays/tree.glsl)
 //RELIEVO::Include(shadow/seen.glsl)
 uniform vec4 relievoSeenSource[24]; // w = 0: the direction to it

@@ -3,8 +3,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The verdicts of all lights about the visible surface at a pixel.
-//RELIEVO::Include(formulas/octahedral.glsl)
-//RELIEVO::Include(formulas/shadow.glsl)
+//RELIEVO::Include(formulas/formats/octahedral.glsl)
+//RELIEVO::Include(formulas/light/shadow.glsl)
 //RELIEVO::Include(shadow/seen.glsl)
 //RELIEVO::Include(rays/walk.glsl)
 uniform vec4 relievoSeenSource[24]; // w = 0: the direction to it

@@ -25,7 +25,7 @@ in_light
 relievoVolumeLit(RELIEVO_NUMBER) * in_light
 
 //RELIEVO::Section(Dec)
-//RELIEVO::Include(formulas/shadow.glsl)
+//RELIEVO::Include(formulas/light/shadow.glsl)
 #define RELIEVO_SHADOW_HAS_PLANE false
 uniform float relievoShadowStrength[RELIEVO_SHADOW_LIGHTS];
 uniform int relievoVolumeSlot[RELIEVO_VOLUME_NUMBERS]; // of a light in VTK's shader; -1: casts none

@@ -10,7 +10,7 @@
 in vec4 vertexMC;
 
 //RELIEVO::Section(PointMoved)
-//RELIEVO::Include(formulas/skin.glsl)
+//RELIEVO::Include(formulas/geometry/skin.glsl)
 // Strongest first; unused entries repeat the first bone with weight 0.
 in vec4 relievoJoints0;
 in vec4 relievoWeights0; // sum 1; all 0 if no bone moves the point

@@ -6,7 +6,7 @@
 // Sums over squares of 8 x 8: logarithms of the luminance, and their number; over drawn pixels (x,
 // y), and over all (z, w). RELIEVO_FIRST: sums the colour's pixels; else earlier sums.
 #ifdef RELIEVO_FIRST
-//RELIEVO::Include(formulas/tone.glsl)
+//RELIEVO::Include(formulas/color/tone.glsl)
 //RELIEVO::Include(frame/color.glsl)
 //RELIEVO::Include(frame/drawn.glsl)
 uniform float toneBackgroundAlpha; // pixels with a greater alpha are drawn

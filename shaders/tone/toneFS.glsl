@@ -8,8 +8,8 @@
 // RELIEVO_TONE_PREMULTIPLIED: the colour of pixels with alpha below 1 is multiplied by alpha.
 // RELIEVO_TONE_MEASURED: the exposure starts from the measured luminance.
 // RELIEVO_TONE_DITHER: by Bayer's matrix, with RELIEVO_TONE_DITHER_TEXTURE by the texture.
-//RELIEVO::Include(formulas/srgb.glsl)
-//RELIEVO::Include(formulas/tone.glsl)
+//RELIEVO::Include(formulas/color/srgb.glsl)
+//RELIEVO::Include(formulas/color/tone.glsl)
 //RELIEVO::Include(frame/color.glsl)
 //RELIEVO::Include(frame/drawn.glsl)
 in vec2 texCoord;

@@ -5,7 +5,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Window z of the visible surface, at which VTK ends the rays through volumes.
-//RELIEVO::Include(formulas/depth.glsl)
+//RELIEVO::Include(formulas/formats/depth.glsl)
 //RELIEVO::Include(gbuffer/read.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;

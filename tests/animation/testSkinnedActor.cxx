@@ -3,7 +3,7 @@
 //
 // Meshes that the vertex shader moves, against the same moved by vtkRelievoSkin: depth, normals and
 // ids, by every method; where skinning fails; colours, textures, PBR; a real model. Both sides
-// compute by shaders/formulas/skin.glsl: that the formulas are right is shown by testSkin.
+// compute by shaders/formulas/geometry/skin.glsl: that the formulas are right is shown by testSkin.
 #include "Check.h"
 #include "Props.h"
 #include "Session.h"

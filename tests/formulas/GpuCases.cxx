@@ -46,19 +46,19 @@ std::string FragmentShader()
     vtkRelievoShaderLibrary::Get("extensions.glsl") + vtkRelievoShaderLibrary::Get("exact.glsl"));
   // normal_depth.glsl takes in the files below it.
   vtkShaderProgram::Substitute(shader, "//RELIEVO::Formulas",
-    vtkRelievoShaderLibrary::Get("formulas/normal_depth.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/unproject.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/srgb.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/tone.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/hash_color.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/colormap.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/environment.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/irradiance.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/fresnel.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/prefilter.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/fog.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/noise.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/skin.glsl"));
+    vtkRelievoShaderLibrary::Get("formulas/formats/normal_depth.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/geometry/unproject.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/color/srgb.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/color/tone.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/color/hash_color.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/color/colormap.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/light/environment.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/light/irradiance.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/light/fresnel.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/light/prefilter.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/light/fog.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/geometry/noise.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/geometry/skin.glsl"));
   vtkShaderProgram::Substitute(shader, "//RELIEVO::Cases", ReadTestShader("cases.glsl"));
   return shader;
 }

@@ -7,7 +7,7 @@
 // Fades distant surfaces towards a colour, in linear light.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(frame/color.glsl)
-//RELIEVO::Include(formulas/srgb.glsl)
+//RELIEVO::Include(formulas/color/srgb.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
 uniform vec3 sampleColor; // sRGB, as VTK's colours

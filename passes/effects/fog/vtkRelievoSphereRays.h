@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A camera's rays against spheres, in double: the coefficients per sphere by which
-// shaders/formulas/fog.glsl computes the chord of each pixel's ray, and markers compute the
+// shaders/formulas/light/fog.glsl computes the chord of each pixel's ray, and markers compute the
 // distance of a pixel's point from the sphere's centre.
 //
 // The ray of a pixel keeps one NDC position at every depth t: B + t D, in eye space, with D.z = -1.

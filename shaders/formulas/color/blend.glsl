@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Compositing of premultiplied layers.
-//RELIEVO::Include(formulas/srgb.glsl)
+//RELIEVO::Include(formulas/color/srgb.glsl)
 
 // Associative: (a over b) over c equals a over (b over c).
 vec4 relievoOver(vec4 front, vec4 behind)

@@ -8,7 +8,7 @@
 // 16 bits. Word 0 means "no direction": zero, infinite or NaN vectors encode to it, and it decodes
 // to the zero vector, so that a cleared buffer decodes to zero. Encoded values must not be blended
 // or filtered: the square's rim is a seam.
-//RELIEVO::Include(formulas/numbers.glsl)
+//RELIEVO::Include(formulas/formats/numbers.glsl)
 
 // Whether n has a direction: not zero, and every component finite.
 bool relievoIsDirection(vec3 n)

@@ -5,7 +5,7 @@
 // Words 0 mean "no direction" in every format: zero, infinite or NaN vectors encode to them, and
 // they decode to the zero vector. No unit vector has the codes (0, 0, 0): all components would be
 // -1.
-//RELIEVO::Include(formulas/octahedral.glsl)
+//RELIEVO::Include(formulas/formats/octahedral.glsl)
 
 // A component in [-1, 1] as 0.5 n + 0.5 in steps of 1 / maxCode.
 uint relievoQuantizeBiased(float component, float maxCode)

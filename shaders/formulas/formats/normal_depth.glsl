@@ -4,8 +4,8 @@
 //
 // Depth is linear (eye space -z). The background has the zero normal and depth +infinity; a surface
 // without a normal has the zero vector and its own depth.
-//RELIEVO::Include(formulas/depth.glsl)
-//RELIEVO::Include(formulas/normal_formats.glsl)
+//RELIEVO::Include(formulas/formats/depth.glsl)
+//RELIEVO::Include(formulas/formats/normal_formats.glsl)
 
 // The words of the background, the clear values of a buffer of each format.
 const uint relievoNormalDepth8None = 0xff000000u;

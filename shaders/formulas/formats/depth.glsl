@@ -8,7 +8,7 @@
 // The window z of OpenGL is 0 on the near plane, 1 on the far plane; reversed z (clip range zero to
 // one) is 1 on the near plane, 0 on the far plane. Depth +infinity means background: it has
 // window z +infinity and reversed z -infinity and comes back from them.
-//RELIEVO::Include(formulas/numbers.glsl)
+//RELIEVO::Include(formulas/formats/numbers.glsl)
 
 // The words of depth +infinity, the clear values of a buffer of each format.
 const uint relievoDepth32FNone = 0x7f800000u;
