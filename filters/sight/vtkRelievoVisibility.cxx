@@ -42,7 +42,7 @@ vtkStandardNewMacro(vtkRelievoVisibility);
 
 namespace
 {
-constexpr vtkIdType RaysOfABatch = 1 << 19;
+constexpr vtkIdType RaysOfABatch = 1 << 15; // their hits fit into caches, and memory is reused
 constexpr vtkIdType TrianglesOfAThread = 1024;
 
 // A pixel's corners are moved slightly inwards: the corner itself may belong to another face of a
@@ -70,33 +70,35 @@ double GetSolidAngle(const double a[3], const double b[3], const double c[3])
 class PixelAngles
 {
 public:
-  void Take(vtkRelievoCameraModel* camera, vtkIdType row, vtkIdType end)
+  // For pixels with these numbers, counted from the left of the row.
+  void Take(vtkRelievoCameraModel* camera, vtkIdType row, const std::vector<vtkIdType>& pixels)
   {
     const double signs[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
     const vtkIdType columns = camera->GetSize()[0];
-    vtkNew<vtkDoubleArray> corners;
-    corners->SetNumberOfComponents(2);
-    corners->SetNumberOfTuples(4 * columns * (end - row));
-    for (vtkIdType i = 0; i < corners->GetNumberOfTuples(); ++i)
+    this->Corners->SetNumberOfComponents(2);
+    this->Corners->SetNumberOfTuples(4 * static_cast<vtkIdType>(pixels.size()));
+    double* corner = this->Corners->GetPointer(0);
+    for (const vtkIdType pixel : pixels)
     {
-      const vtkIdType pixel = i / 4;
-      const double column = static_cast<double>(pixel % columns);
-      corners->SetValue(2 * i, column + signs[i % 4][0] * Corner);
-      corners->SetValue(
-        2 * i + 1, static_cast<double>(row + pixel / columns) + signs[i % 4][1] * Corner);
+      for (const auto& sign : signs)
+      {
+        *corner++ = static_cast<double>(pixel % columns) + sign[0] * Corner;
+        *corner++ = static_cast<double>(row + pixel / columns) + sign[1] * Corner;
+      }
     }
-    vtkNew<vtkDoubleArray> origins;
-    camera->GetRays(corners, origins, this->Directions);
+    camera->GetRays(this->Corners, this->Origins, this->Directions);
   }
 
-  double Get(vtkIdType i)
+  double Get(std::size_t i)
   {
-    const double* d = this->Directions->GetPointer(12 * i);
+    const double* d = this->Directions->GetPointer(12 * static_cast<vtkIdType>(i));
     const double angle = GetSolidAngle(d, d + 3, d + 6) + GetSolidAngle(d, d + 6, d + 9);
     return std::isnan(angle) ? 0.0 : angle;
   }
 
 private:
+  vtkNew<vtkDoubleArray> Corners;
+  vtkNew<vtkDoubleArray> Origins;
   vtkNew<vtkDoubleArray> Directions;
 };
 
@@ -200,6 +202,8 @@ public:
   bool Add(vtkRelievoCameraModel* camera, int number)
   {
     this->Camera = camera;
+    auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
+    this->IsPinhole = lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE;
     this->Hit.assign(this->Pixels.size(), false);
     this->Shown.assign(this->Pixels.size(), 0.0);
     this->PixelsShown = 0;
@@ -239,6 +243,7 @@ private:
   std::vector<std::int64_t> QuickCorners;         // index in Quick, by the mesh's points; -1: none
   bool IsQuick = false;                           // for this camera
   vtkRelievoCameraModel* Camera = nullptr;
+  bool IsPinhole = false;
   std::vector<bool> Hit;              // cells, by this camera
   std::vector<double> Shown;          // solid angles of cells, for this camera
   std::vector<bool> Large;            // cells whose solid angle is that of their pixels
@@ -284,10 +289,10 @@ private:
     const vtkIdType rows = this->Camera->GetSize()[1];
     const vtkIdType rowsAtOnce = std::max<vtkIdType>(1, RaysOfABatch / this->Camera->GetSize()[0]);
     PixelAngles angles;
+    std::vector<vtkIdType> shown; // rays that hit the mesh
     for (vtkIdType row = 0; row < rows; row += rowsAtOnce)
     {
       const vtkIdType end = std::min(rows, row + rowsAtOnce);
-      angles.Take(this->Camera, row, end);
       this->Camera->GetRowRays(
         static_cast<int>(row), static_cast<int>(end), this->Origins, this->Directions);
       if (!this->Scene->FindNearest(this->Origins, this->Directions, this->Hits))
@@ -296,13 +301,18 @@ private:
       }
       const vtkIdType count = this->Origins->GetNumberOfTuples();
       const Cells cells(this->Hits);
+      shown.clear();
       for (vtkIdType i = 0; i < count; ++i)
       {
-        const vtkIdType cell = cells.Get(i);
-        if (cell < 0)
+        if (cells.Get(i) >= 0)
         {
-          continue;
+          shown.push_back(i);
         }
+      }
+      angles.Take(this->Camera, row, shown);
+      for (std::size_t i = 0; i < shown.size(); ++i)
+      {
+        const vtkIdType cell = cells.Get(shown[i]);
         const auto at = static_cast<std::size_t>(cell);
         this->Pixels[at] += at >= this->CellShare[0] && at < this->CellShare[1] ? 1 : 0;
         ++this->PixelsShown;
@@ -310,7 +320,7 @@ private:
         this->Hit[at] = true;
         if (this->Cloud)
         {
-          this->AddToCloud(i, cell, number);
+          this->AddToCloud(shown[i], cell, number);
         }
       }
     }
@@ -550,8 +560,7 @@ private:
   bool IsWithin(const Triangle& triangle) const
   {
     constexpr double room = 1e-6; // of pixels, for rounding
-    auto* lens = vtkRelievoLensCamera::SafeDownCast(this->Camera);
-    return lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE &&
+    return this->IsPinhole &&
       std::all_of(triangle.Points, triangle.Points + 3, [this](vtkIdType point) {
         const double* place = this->PointPlaces->GetPointer(2 * point);
         return this->IsInPicture(place, room);

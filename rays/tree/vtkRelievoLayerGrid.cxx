@@ -25,7 +25,7 @@ void vtkRelievoLayerGrid::Clear(std::size_t triangles, double size)
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoLayerGrid::GetPlace(double x) const
+inline int vtkRelievoLayerGrid::GetPlace(double x) const
 {
   const double place = 0.5 * (x + 1.0) * this->Count;
   return static_cast<int>(std::min(std::max(place, 0.0), this->Count - 1.0));
@@ -102,7 +102,7 @@ void vtkRelievoLayerGrid::AddOutline(const glm::dvec2& a, const glm::dvec2& b, c
 
 //------------------------------------------------------------------------------
 // Joins the sheet with those that it overlaps; if there are too many, also the two farthest.
-void vtkRelievoLayerGrid::Put(Square& square, Sheet sheet)
+inline void vtkRelievoLayerGrid::Put(Square& square, Sheet sheet)
 {
   for (int i = 0; i < square.Count;)
   {

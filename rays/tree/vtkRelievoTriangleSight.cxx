@@ -617,7 +617,7 @@ void vtkRelievoTriangleSight::LookAtChunk(int chunk, const View& view)
     const Box& box = mesh.Boxes[static_cast<std::size_t>(triangle)];
     using Four = vtkRelievoFour;
     unsigned bits = 0;
-    for (int i = 0; i < MostQuads; i += 4)
+    for (int i = 0; i < group.Count; i += 4)
     {
       const Four overlaps = (Four(box.Min.x) <= Four::Load(group.High[0] + i)) &
         (Four(box.Min.y) <= Four::Load(group.High[1] + i)) &
