@@ -37,7 +37,7 @@ vtkStandardNewMacro(vtkRelievoRayLayers);
 
 namespace
 {
-constexpr vtkIdType RaysAtOnce = 1 << 19;
+constexpr vtkIdType RaysAtOnce = 1 << 15; // their hits fit into caches, and memory is reused
 
 // The columns of hits for these layers.
 const std::map<std::string, const char*> Columns = { { "range", "distance" },
