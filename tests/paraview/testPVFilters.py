@@ -191,6 +191,16 @@ output.VTKObject.SetPolys(cells)
         self.assertAlmostEqual(
             found("insolation")[0], 24 / numpy.pi * numpy.cos(numpy.radians(40)), delta=0.1)
         self.assertAlmostEqual(found("sky_view")[0], 1, delta=1e-6)
+        # A constant result has the highest colour, not the lowest.
+        shown = simple.Show(sun)
+        simple.Render()
+        self.assertEqual(list(shown.ColorArrayName), ["CELLS", "sun_hours"])
+        for name in ("sun_hours", "insolation"):
+            simple.ColorBy(shown, ("CELLS", name))
+            ends = list(shown.LookupTable.RGBPoints)[::4]
+            self.assertEqual(ends[0], 0)
+            self.assertAlmostEqual(ends[-1], found(name)[0], delta=1e-3 * found(name)[0])
+        simple.Hide(sun)
         roofs = [
             simple.Plane(Origin=[-99, y, 0.1], Point1=[99, y, 0.1], Point2=[-99, y + 99, 0.1])
             for y in (-99, 0)

@@ -200,14 +200,6 @@ void vtkSMRelievoViews::Start()
     return;
   }
   Instance() = vtkSmartPointer<vtkSMRelievoViews>::New();
-  // Shares of the filters Visibility and Sun Exposure keep the range 0 to 1, unless the user has
-  // saved another default: ParaView would give a mesh of which all is seen the lowest colour.
-  constexpr double belowUsers = 0.5;
-  vtkSMSettings::GetInstance()->AddCollectionFromString(R"({"array_lookup_tables": {
-      "seen": {"PVLookupTable": {"AutomaticRescaleRangeMode": -1, "ScalarRangeInitialized": 1}},
-      "sky_view": {"PVLookupTable": {"AutomaticRescaleRangeMode": -1, "ScalarRangeInitialized": 1}}
-    }})",
-    belowUsers);
   // Plugin loaded here: called after the observers that read its XML. Loaded on a server: called
   // after its definitions arrived. vtkSMProxyDefinitionManager's own event comes while it still
   // returns old definitions.
