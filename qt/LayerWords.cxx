@@ -11,6 +11,7 @@
 #include <QStringList>
 
 #include <cmath>
+#include <set>
 
 namespace relievoQt
 {
@@ -19,7 +20,14 @@ namespace
 constexpr int Shades = 256;
 constexpr int ValueDigits = 4;
 
-const char* const InWorldUnits[] = { "depth", "range", "light_depth", "volume_depth" };
+const char* const WorldUnits = "world units";
+
+bool IsLength(const std::string& layer)
+{
+  const std::set<std::string> lengths = { "depth", "range", "position", "light_depth",
+    "volume_depth" };
+  return lengths.count(layer) != 0;
+}
 
 QImage MakeStrip(const std::string& map, bool reversed)
 {
@@ -35,12 +43,7 @@ QImage MakeStrip(const std::string& map, bool reversed)
 
 QString MakeTitle(const std::string& layer, const LightNames& lights)
 {
-  QString title = NameLayer(layer, lights);
-  for (const char* name : InWorldUnits)
-  {
-    title += layer == name ? " (world units)" : "";
-  }
-  return title;
+  return NameLayer(layer, lights) + (IsLength(layer) ? QString(" (%1)").arg(WorldUnits) : "");
 }
 
 // Empty for a layer with a colour strip.
@@ -94,6 +97,12 @@ QString NameLayer(const std::string& layer, const LightNames& lights)
   }
   words.replace("color", "colour");
   return words.left(1).toUpper() + words.mid(1);
+}
+
+//------------------------------------------------------------------------------
+QString AddUnit(const QString& value, const std::string& layer)
+{
+  return IsLength(layer) ? value + " " + WorldUnits : value;
 }
 
 //------------------------------------------------------------------------------

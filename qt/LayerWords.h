@@ -37,6 +37,9 @@ using LightNames = std::map<std::string, std::string>;
 /// `lights`; an array's own name.
 QString NameLayer(const std::string& layer, const LightNames& lights = {});
 
+/// A layer's value with its unit, if it has a known one.
+QString AddUnit(const QString& value, const std::string& layer);
+
 /// `isDrawnHere`: the stage drew the last picture and knows its values; otherwise a server did.
 LayerWords DescribeLayer(
   vtkRelievoDisplayStage* stage, bool isDrawnHere = true, const LightNames& lights = {});

@@ -332,6 +332,56 @@ private Q_SLOTS:
     }
   }
 
+  // Arrows turn and move the objects in their direction, plus and minus zoom.
+  void cameraKeys()
+  {
+    this->Open({ this->WriteScene(), "--camera", "0,0.5,7,0,0.5,0,0,1,0" });
+    this->Grab();
+    const auto isAt = [this](double x, double y, double z) {
+      const double* at = this->GetCamera()->GetPosition();
+      return std::abs(at[0] - x) + std::abs(at[1] - y) + std::abs(at[2] - z) < 1e-9;
+    };
+    const double angle = vtkMath::RadiansFromDegrees(5.0);
+    this->Press(Qt::Key_Right);
+    QVERIFY(isAt(-7.0 * std::sin(angle), 0.5, 7.0 * std::cos(angle)));
+    this->Press(Qt::Key_Left);
+    QVERIFY(isAt(0, 0.5, 7));
+    this->Press(Qt::Key_Down);
+    QVERIFY(isAt(0, 0.5 + 7.0 * std::sin(angle), 7.0 * std::cos(angle)));
+    this->Press(Qt::Key_Up);
+    QVERIFY(isAt(0, 0.5, 7));
+    const double step = 0.05 * 14.0 * std::tan(vtkMath::RadiansFromDegrees(15.0));
+    this->Press(Qt::Key_Right, Qt::ShiftModifier);
+    this->Press(Qt::Key_Down, Qt::ShiftModifier);
+    QVERIFY(isAt(-step, 0.5 + step, 7));
+    QVERIFY(std::abs(this->GetCamera()->GetFocalPoint()[0] + step) < 1e-9);
+    this->Press(Qt::Key_Plus);
+    QVERIFY(std::abs(this->GetCamera()->GetDistance() - 7.0 / 1.1) < 1e-9);
+    this->Compare("by keys");
+    this->Press(Qt::Key_P);
+    const double scale = this->GetCamera()->GetParallelScale();
+    this->Press(Qt::Key_Minus);
+    QVERIFY(std::abs(this->GetCamera()->GetParallelScale() - 1.1 * scale) < 1e-9);
+  }
+
+  // A key brings each panel to the front and the keyboard to its first control, and back.
+  void panelKeys()
+  {
+    this->Open({ this->WriteScene() });
+    const Qt::Key keys[] = { Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5 };
+    int number = 0;
+    for (const char* name : { "scene", "light", "look", "layers", "report" })
+    {
+      auto* dock = this->Window->findChild<QDockWidget*>(name);
+      dock->hide();
+      this->Press(keys[number++], Qt::AltModifier);
+      QTRY_VERIFY_WITH_TIMEOUT(!dock->visibleRegion().isEmpty(), 20000);
+      QVERIFY2(dock->isAncestorOf(QApplication::focusWidget()), name);
+      this->Press(Qt::Key_0, Qt::AltModifier);
+      QVERIFY(this->Window->GetView()->hasFocus());
+    }
+  }
+
   // Each item of a menu has a letter of its own.
   void letters()
   {

@@ -26,6 +26,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -360,8 +361,8 @@ private Q_SLOTS:
     QTRY_COMPARE_WITH_TIMEOUT(countLeft(), 0, 60000);
   }
 
-  // A menu opens, and the mouse moves, while a sample is drawn, however long that takes. The window
-  // is painted afterwards. An edit waits for the sample.
+  // A menu opens, the mouse moves, a tab comes to the front, and a row shows an edit while a sample
+  // is drawn, however long that takes. The picture follows afterwards, also a new edit.
   void menusWhileDrawing()
   {
     if (!viewer::SampleThread::IsPossible())
@@ -406,11 +407,40 @@ private Q_SLOTS:
     this->SendMouse(QEvent::MouseMove, QPoint(50, 60), Qt::NoButton);
     QKeyEvent key(QEvent::KeyPress, Qt::Key_Shift, Qt::NoModifier);
     QApplication::sendEvent(view, &key);
-    this->Window->Say("Painted later");
+    menu.close();
+    struct Painting : QObject
+    {
+      bool eventFilter(QObject* /*watched*/, QEvent* event) override
+      {
+        this->Seen = this->Seen || event->type() == QEvent::Paint;
+        return false;
+      }
+      bool Seen = false;
+    } tab, row;
+    auto* look = this->Window->findChild<QDockWidget*>("look");
+    auto* edges = look->findChild<QCheckBox*>("edges");
+    look->installEventFilter(&tab);
+    look->raise();
+    if (QGuiApplication::platformName() == "xcb")
+    {
+      QTRY_VERIFY_WITH_TIMEOUT(tab.Seen, 60000);
+    }
+    edges->installEventFilter(&row);
+    edges->click();
+    if (QGuiApplication::platformName() == "xcb")
+    {
+      QTRY_VERIFY_WITH_TIMEOUT(row.Seen, 60000);
+    }
+    for (const char* dock : { "report", "light", "layers", "look" })
+    {
+      this->Window->findChild<QDockWidget*>(dock)->raise();
+      QCoreApplication::processEvents();
+    }
     view->update();
     QTest::qWait(0);
     QVERIFY(view->IsDrawing() && !this->Window->GetView()->IsEmpty());
     QCOMPARE(composed.count(), 0);
+    QVERIFY(this->Window->GetDocument()->Get().Has("--edges"));
     thread.Shown.release();
     this->Window->GetDocument()->Change(
       [](scene::Settings& settings) { settings.Set("--color", "0.3,0.6,0.2"); });
@@ -420,7 +450,6 @@ private Q_SLOTS:
     QSignalSpy drawn(view, &viewer::PictureView::drawn);
     QCoreApplication::sendPostedEvents(view, QEvent::MetaCall);
     QCOMPARE(drawn.count(), 0); // for a sample of the picture before
-    menu.close();
     QTRY_VERIFY_WITH_TIMEOUT(composed.count() > 0, 60000);
     QTRY_VERIFY_WITH_TIMEOUT(thread.Drawn > 2, 60000);
     QObject::disconnect(view, nullptr, &menu, nullptr);

@@ -252,7 +252,8 @@ private Q_SLOTS:
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
     // Another view, and another file, have other values.
     auto* words = this->Window->findChild<QLabel*>("underTheMouse");
-    QVERIFY(words->text().startsWith("depth 4.4"));
+    QVERIFY(words->text().startsWith("Depth 4.4"));
+    QVERIFY(table->item(0, 1)->text().endsWith(" world units"));
     view->GetPicture().LookAlong({ -1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
     view->Draw();
     QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 0, 20000);

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How soon a menu responds while the viewer gathers samples:
-//   viewerMenus COUNT WORD...
+// How soon a menu, or the tab of a panel, responds while the viewer gathers samples:
+//   viewerMenus COUNT menu|tab WORD...
 // The words are those of relievo-viewer. A thread presses a key at a random moment of the
-// gathering; measured is the time until the menu is painted. Prints the milliseconds, sorted, and
-// the share within 100 ms.
+// gathering; measured is the time until the menu or the panel of the tab is painted. Prints the
+// milliseconds, sorted, and the share within 100 ms.
 #include "Application.h"
 #include "MainWindow.h"
 #include "Messages.h"
@@ -14,6 +14,7 @@
 
 #include "vtkRelievoPass.h"
 
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMenu>
@@ -40,12 +41,18 @@ constexpr int Least = 300, Most = 2300; // milliseconds from the start of a samp
 class Press : public QObject
 {
 public:
-  Press(viewer::MainWindow& window, int count)
+  Press(viewer::MainWindow& window, int count, bool tab)
     : Window(window)
     , Count(count)
+    , Tab(tab)
     , Menu(window.menuBar()->actions().front()->menu())
+    , Docks{ window.findChild<QDockWidget*>("look"), window.findChild<QDockWidget*>("light") }
   {
     this->Menu->installEventFilter(this);
+    for (QDockWidget* dock : this->Docks)
+    {
+      dock->installEventFilter(this);
+    }
     QObject::connect(window.GetView(), &viewer::PictureView::drawn, this, [this] {
       vtkRelievoPass* frame = this->Window.GetView()->GetPicture().GetFrame();
       if (!frame)
@@ -81,13 +88,23 @@ protected:
     {
       return QObject::event(event);
     }
-    this->Window.menuBar()->setActiveAction(this->Window.menuBar()->actions().front());
+    this->Pressed = true;
+    if (this->Tab)
+    {
+      std::swap(this->Docks[0], this->Docks[1]);
+      this->Docks[0]->raise();
+    }
+    else
+    {
+      this->Window.menuBar()->setActiveAction(this->Window.menuBar()->actions().front());
+    }
     return true;
   }
 
   bool eventFilter(QObject* watched, QEvent* event) override
   {
-    if (event->type() == QEvent::Paint && this->Pressing)
+    if (event->type() == QEvent::Paint && this->Pressed &&
+      (watched == this->Menu || watched == this->Docks[0]))
     {
       QTimer::singleShot(0, this, [this] { this->Painted(); });
     }
@@ -112,11 +129,11 @@ private:
 
   void Painted()
   {
-    if (!this->Pressing)
+    if (!this->Pressed)
     {
       return;
     }
-    this->Pressing = false;
+    this->Pressing = this->Pressed = false;
     this->Taken.push_back(1e-6 * static_cast<double>(this->Waited.nsecsElapsed()));
     this->Menu->close();
     this->Window.menuBar()->setActiveAction(nullptr);
@@ -149,8 +166,11 @@ private:
 
   viewer::MainWindow& Window;
   int Count;
+  bool Tab;
   QMenu* Menu;
-  bool Pressing = false;
+  QDockWidget* Docks[2]; // the first is in front after the press
+  bool Pressing = false; // or about to press
+  bool Pressed = false;  // and not painted yet
   double Side = 0.6;
   int Left = 0; // of the last drawing
   int Samples = 0;
@@ -163,9 +183,9 @@ private:
 
 int main(int argc, char* argv[])
 {
-  if (argc < 3)
+  if (argc < 4)
   {
-    std::fputs("usage: viewerMenus COUNT WORD...\n", stderr);
+    std::fputs("usage: viewerMenus COUNT menu|tab WORD...\n", stderr);
     return 2;
   }
   QSurfaceFormat::setDefaultFormat(viewer::PictureView::GetFormat());
@@ -176,7 +196,7 @@ int main(int argc, char* argv[])
   const reading::Messages::Scope scope;
   viewer::MainWindow window;
   window.show();
-  Press press(window, std::max(1, std::atoi(argv[1])));
-  window.Open(viewer::Document::FromWords({ argv + 2, argv + argc }));
+  Press press(window, std::max(1, std::atoi(argv[1])), argv[2] == std::string("tab"));
+  window.Open(viewer::Document::FromWords({ argv + 3, argv + argc }));
   return QApplication::exec();
 }

@@ -266,7 +266,7 @@ void LayersPanel::ShowValues(const std::vector<ProbeValue>& values)
   {
     const ProbeValue& value = values[static_cast<std::size_t>(row)];
     const QString texts[] = { relievoQt::NameLayer(value.Layer),
-      value.IsBackground ? "background" : WriteValues(value) };
+      value.IsBackground ? "background" : relievoQt::AddUnit(WriteValues(value), value.Layer) };
     for (int column = 0; column < 2; ++column)
     {
       QTableWidgetItem* item = this->Values->item(row, column);

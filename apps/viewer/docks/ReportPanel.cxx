@@ -20,7 +20,7 @@ constexpr int MostTries = 8; // some drivers never deliver times
 }
 
 //------------------------------------------------------------------------------
-ReportPanel::ReportPanel(std::function<std::string()> read, QWidget* parent)
+ReportPanel::ReportPanel(Reader read, QWidget* parent)
   : QWidget(parent)
   , Read(std::move(read))
   , Table(new relievoQt::StageTable(relievoQt::StageTable::FULL, this))
@@ -49,7 +49,11 @@ ReportPanel::ReportPanel(std::function<std::string()> read, QWidget* parent)
 // each of their commands in software OpenGL.
 void ReportPanel::Follow()
 {
-  if (!this->visibleRegion().isEmpty() && !this->Timer.isActive())
+  if (this->Late)
+  {
+    this->Refresh();
+  }
+  else if (!this->visibleRegion().isEmpty() && !this->Timer.isActive())
   {
     this->Timer.start(RefreshMilliseconds);
   }
@@ -71,7 +75,13 @@ void ReportPanel::Renew()
 //------------------------------------------------------------------------------
 void ReportPanel::Refresh()
 {
-  relievoQt::FrameReport report(QByteArray::fromStdString(this->Read()));
+  const std::optional<std::string> words = this->Read();
+  this->Late = !words;
+  if (this->Late)
+  {
+    return;
+  }
+  relievoQt::FrameReport report(QByteArray::fromStdString(*words));
   bool untimed = false;
   for (relievoQt::FrameReport::Stage& stage : report.Stages)
   {

@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 class QLabel;
@@ -27,8 +28,10 @@ class ReportPanel : public QWidget
   Q_OBJECT
 
 public:
-  /// `read` returns the report of the last frame as JSON, "" if there was none.
-  ReportPanel(std::function<std::string()> read, QWidget* parent = nullptr);
+  /// The report of the last frame as JSON, "" if there was none; nothing while a frame is drawn.
+  using Reader = std::function<std::optional<std::string>()>;
+
+  explicit ReportPanel(Reader read, QWidget* parent = nullptr);
 
   /// Updates chart and table soon after a picture, if they are visible.
   void Follow();
@@ -46,12 +49,13 @@ Q_SIGNALS:
 private:
   void Refresh();
 
-  std::function<std::string()> Read;
+  Reader Read;
   relievoQt::StageTable* Table;
   QLabel* Total;
   relievoQt::TimesChart* Chart;
   QTimer Timer;
-  int Tries = 0; // frames that may still be requested
+  bool Late = false; // the report follows the frame that is being drawn
+  int Tries = 0;     // frames that may still be requested
 };
 }
 

@@ -93,6 +93,7 @@ void LightEdit::AddCommon(QFormLayout* rows)
   this->Angle->SetUnit("degrees");
   this->Radius = new relievoQt::Number(0.0, MostRadius, 1e-3, 4, size);
   this->Radius->setObjectName("radius");
+  this->Radius->SetUnit("world units");
   both->addWidget(this->Angle);
   both->addWidget(this->Radius);
   size->setObjectName("softness");

@@ -33,7 +33,7 @@ TripleEdit::TripleEdit(QWidget* parent)
     box->setKeyboardTracking(false);
     box->setMinimumWidth(LeastWidth);
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    box->setToolTip(box->objectName());
+    box->setToolTip(box->objectName() + ", in world units");
     row->addWidget(box, 1);
     QObject::connect(box,
       static_cast<void (QDoubleSpinBox::*)(double)>(&QDoubleSpinBox::valueChanged), this,

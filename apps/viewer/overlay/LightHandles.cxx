@@ -113,9 +113,13 @@ std::vector<LightHandles::Handle> LightHandles::FindHandles() const
 }
 
 //------------------------------------------------------------------------------
+// While a sample is drawn, the handles stay; another call follows the sample.
 void LightHandles::Follow()
 {
-  this->Show(this->FindHandles());
+  if (!this->View->IsDrawing())
+  {
+    this->Show(this->FindHandles());
+  }
 }
 
 //------------------------------------------------------------------------------

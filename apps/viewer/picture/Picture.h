@@ -73,6 +73,14 @@ public:
   /// Looks at the scene along a direction.
   void LookAlong(const std::array<double, 3>& direction, const std::array<double, 3>& up);
 
+  ///@{
+  /// Steps of the camera: degrees to the right and upwards about the focal point; shares of the
+  /// view's height; a factor of the size.
+  void Turn(double right, double up);
+  void Move(double right, double up);
+  void Zoom(double factor);
+  ///@}
+
   /// Objects at the centre keep their size.
   void SetParallel(bool on);
   bool IsParallel() const;

@@ -97,6 +97,54 @@ void Picture::LookAlong(const std::array<double, 3>& direction, const std::array
 }
 
 //------------------------------------------------------------------------------
+void Picture::Turn(double right, double up)
+{
+  if (this->GetRenderer())
+  {
+    vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
+    camera->Azimuth(right);
+    camera->Elevation(up);
+    camera->OrthogonalizeViewUp();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Picture::Move(double right, double up)
+{
+  if (this->GetRenderer())
+  {
+    vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
+    const double half = camera->GetParallelProjection()
+      ? camera->GetParallelScale()
+      : camera->GetDistance() * std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+    look::CameraPlace place = look::GetPlace(camera);
+    double aside[3], upwards[3];
+    vtkMath::Cross(camera->GetDirectionOfProjection(), camera->GetViewUp(), aside);
+    vtkMath::Normalize(aside);
+    vtkMath::Cross(aside, camera->GetDirectionOfProjection(), upwards);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const double step = 2.0 * half * (right * aside[i] + up * upwards[i]);
+      place.Position[i] += step;
+      place.FocalPoint[i] += step;
+    }
+    camera->SetPosition(place.Position.data());
+    camera->SetFocalPoint(place.FocalPoint.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+void Picture::Zoom(double factor)
+{
+  if (this->GetRenderer())
+  {
+    vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
+    camera->GetParallelProjection() ? camera->SetParallelScale(camera->GetParallelScale() / factor)
+                                    : camera->Dolly(factor);
+  }
+}
+
+//------------------------------------------------------------------------------
 void Picture::SetParallel(bool on)
 {
   if (this->GetRenderer())

@@ -103,6 +103,7 @@ PictureView::PictureView(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
   , Sample(this)
 {
+  this->MakeOwnWindow();
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   this->setEnableHiDPI(false); // text sizes follow from the picture's height
@@ -130,6 +131,7 @@ PictureView::PictureView(QWidget* parent)
   this->Soon.setSingleShot(true);
   QObject::connect(&this->Soon, &QTimer::timeout, this, [this] {
     this->TakeBack();
+    this->Soon.stop(); // whoever waited for the sample may ask for this picture, too
     this->renderWindow()->Render();
   });
   QObject::connect(&this->Sample, &QThread::finished, this, &PictureView::ShowSample);
@@ -143,6 +145,7 @@ PictureView::PictureView(QWidget* parent)
 //------------------------------------------------------------------------------
 PictureView::~PictureView()
 {
+  QObject::disconnect(this, &PictureView::returned, nullptr, nullptr);
   this->TakeBack();
   this->renderWindow()->RemoveObservers(vtkCommand::EndEvent);
   this->renderWindow()->RemoveObserver(this->Beginning);
@@ -150,6 +153,20 @@ PictureView::~PictureView()
   this->makeCurrent();
   this->Shown.reset();
   this->doneCurrent();
+}
+
+//------------------------------------------------------------------------------
+// Qt composes a window that contains OpenGL in OpenGL, which waits for the sample that a thread
+// draws. With a window of its own for the picture, the panels are painted without OpenGL. Other
+// platforms than X11 may not move such windows together.
+void PictureView::MakeOwnWindow()
+{
+  if (SampleThread::IsPossible() && QGuiApplication::platformName() == "xcb")
+  {
+    QApplication::setAttribute(Qt::AA_DontCreateNativeWidgetSiblings);
+    this->setAttribute(Qt::WA_DontCreateNativeAncestors);
+    this->setAttribute(Qt::WA_NativeWindow);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -213,14 +230,14 @@ bool PictureView::event(QEvent* event)
 }
 
 //------------------------------------------------------------------------------
-// Painting the window composes it with the picture in OpenGL, which waits for the sample; menus and
-// tool tips are windows of their own.
+// Menus and tool tips are windows of their own.
 bool PictureView::eventFilter(QObject* watched, QEvent* event)
 {
   switch (event->type())
   {
     case QEvent::UpdateRequest:
-      if (watched == this->window() && this->Sample.IsLent())
+      if (watched == this->window() && this->Sample.IsLent() &&
+        !this->testAttribute(Qt::WA_NativeWindow))
       {
         this->Unpainted = true;
         return true;
@@ -245,6 +262,10 @@ bool PictureView::eventFilter(QObject* watched, QEvent* event)
 void PictureView::GoOn()
 {
   this->TakeBack();
+  if (this->Soon.isActive())
+  {
+    return; // another picture follows
+  }
   vtkRelievoPass* frame = this->Shown->GetFrame();
   const bool slow = frame && frame->GetSamplesOneByOne();
   const bool busy = QApplication::activePopupWidget() ||
@@ -258,6 +279,7 @@ void PictureView::GoOn()
   {
     this->Holding->AbortFlagOnExecuteOn();
     this->Unannounced = true;
+    this->setUpdatesEnabled(false);
     this->Sample.Lend();
   }
   else
@@ -273,12 +295,14 @@ void PictureView::TakeBack()
   if (this->Sample.IsLent())
   {
     this->Sample.TakeBack();
+    this->setUpdatesEnabled(true);
     this->Holding->AbortFlagOnExecuteOff();
     if (this->Unpainted)
     {
       this->Unpainted = false;
       QCoreApplication::postEvent(this->window(), new QEvent(QEvent::UpdateRequest));
     }
+    Q_EMIT this->returned();
   }
 }
 
@@ -337,6 +361,36 @@ void PictureView::mousePressEvent(QMouseEvent* event)
   this->PickNext(false);
   const QPoint pixel = this->GetPixel(event->pos());
   Q_EMIT this->picked(pixel.x(), pixel.y());
+}
+
+//------------------------------------------------------------------------------
+// Objects move as if the mouse dragged them in the arrow's direction.
+void PictureView::keyPressEvent(QKeyEvent* event)
+{
+  constexpr double degrees = 5.0, share = 0.05, factor = 1.1;
+  const int key = event->key();
+  const int right = (key == Qt::Key_Right) - (key == Qt::Key_Left);
+  const int up = (key == Qt::Key_Up) - (key == Qt::Key_Down);
+  const int nearer = (key == Qt::Key_Plus || key == Qt::Key_Equal) - (key == Qt::Key_Minus);
+  if (right == 0 && up == 0 && nearer == 0)
+  {
+    this->QVTKOpenGLNativeWidget::keyPressEvent(event);
+    return;
+  }
+  Picture& picture = this->GetPicture();
+  if (nearer != 0)
+  {
+    picture.Zoom(nearer > 0 ? factor : 1.0 / factor);
+  }
+  else if (event->modifiers() & Qt::ShiftModifier)
+  {
+    picture.Move(-share * right, -share * up);
+  }
+  else
+  {
+    picture.Turn(-degrees * right, -degrees * up);
+  }
+  this->Draw();
 }
 
 //------------------------------------------------------------------------------

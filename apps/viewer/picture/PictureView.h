@@ -79,6 +79,10 @@ public:
 Q_SIGNALS:
   void drawn();
 
+  /// A sample that IsDrawing() reported is complete. Emitted before GetPicture() returns to whoever
+  /// has waited for the sample.
+  void returned();
+
   /// Emitted if OpenGL is older than 3.2, before VTK starts, which would crash.
   void openGLTooOld();
 
@@ -92,6 +96,7 @@ protected:
   bool event(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   void initializeGL() override;
+  void keyPressEvent(QKeyEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
@@ -99,6 +104,7 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
+  void MakeOwnWindow();
   void LetLinesBeWide();
   void OnDrawn();
   void GoOn();

@@ -315,6 +315,34 @@ void AddScaleBar(MainWindow* window, QMenu* menu)
 }
 
 //------------------------------------------------------------------------------
+// Actions that give the keyboard to the picture, or to the first control of a panel.
+void AddJumps(MainWindow* window, QMenu* menu)
+{
+  QMenu* jumps = menu->addMenu("&Jump to");
+  Add(jumps, window, "&Picture", QKeySequence("Alt+0"), "jumpToPicture",
+    [window] { window->GetView()->setFocus(Qt::TabFocusReason); });
+  int number = 0;
+  for (const char* text : { "&Scene", "&Light", "L&ook", "La&yers", "&Report", "&Comparison" })
+  {
+    const QString name = QString(text).remove('&');
+    auto* dock = window->findChild<QDockWidget*>(name.toLower());
+    Add(
+      jumps, window, text, QKeySequence(QString("Alt+%1").arg(++number)), "jumpTo" + name, [dock] {
+        dock->show();
+        dock->raise();
+        QWidget* first = dock->widget();
+        do
+        {
+          first = first->nextInFocusChain();
+        } while (first != dock->widget() &&
+          !(dock->widget()->isAncestorOf(first) && first->isVisible() && first->isEnabled() &&
+            (first->focusPolicy() & Qt::TabFocus)));
+        first->setFocus(Qt::TabFocusReason);
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
 void AddViewMenu(MainWindow* window)
 {
   QMenu* menu = window->menuBar()->addMenu("&View");
@@ -397,6 +425,7 @@ void AddViewMenu(MainWindow* window)
   AddAppearance(menu->addMenu("Appeara&nce"));
   AddToolBar(window, menu);
   menu->addAction(window->findChild<QAction*>("panels"));
+  AddJumps(window, menu);
   for (QDockWidget* dock : window->findChildren<QDockWidget*>())
   {
     menu->addAction(dock->toggleViewAction());

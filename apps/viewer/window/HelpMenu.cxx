@@ -23,23 +23,35 @@ QString WriteKey(const QString& key, const QString& text)
     text.toHtmlEscaped() + "</td></tr>";
 }
 
+QString WriteKeysOf(const QMenu* menu, const QString& before)
+{
+  QString rows;
+  for (const QAction* action : menu->actions())
+  {
+    const QString text = before + QString(action->text()).remove('&').remove("...");
+    if (action->menu())
+    {
+      rows += WriteKeysOf(action->menu(), text + " ");
+    }
+    else if (!action->shortcut().isEmpty())
+    {
+      rows += WriteKey(action->shortcut().toString(QKeySequence::NativeText), text);
+    }
+  }
+  return rows;
+}
+
 QString WriteKeys(MainWindow* window)
 {
   QString rows;
   for (const QAction* menu : window->menuBar()->actions())
   {
-    for (const QAction* action : menu->menu()->actions())
-    {
-      if (!action->shortcut().isEmpty())
-      {
-        rows += WriteKey(action->shortcut().toString(QKeySequence::NativeText),
-          QString(action->text()).remove('&').remove("..."));
-      }
-    }
+    rows += WriteKeysOf(menu->menu(), "");
   }
-  return "<table>" + WriteKey("Left button", "turns") + WriteKey("Middle button", "moves") +
-    WriteKey("Right button, wheel", "zooms") + WriteKey("Space", "Plays the animation") + rows +
-    WriteKey("B, held", "Baseline, in a comparison") + "</table>";
+  return "<table>" + WriteKey("Left button, arrows", "turns") +
+    WriteKey("Middle button, Shift and arrows", "moves") +
+    WriteKey("Right button, wheel, + and -", "zooms") + WriteKey("Space", "Plays the animation") +
+    rows + WriteKey("B, held", "Baseline, in a comparison") + "</table>";
 }
 
 //------------------------------------------------------------------------------

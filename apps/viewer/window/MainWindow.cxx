@@ -121,6 +121,19 @@ QString GetTitle(const std::vector<std::string>& files)
 }
 
 constexpr int SmoothPatience = 500; // milliseconds until the user is told of it
+
+// Reads a property of the picture. While a sample is drawn, its last value stays.
+template <typename Read>
+auto ReadAtRest(PictureView* view, Read read)
+{
+  return [view, read, known = decltype(read(view->GetPicture()))()]() mutable {
+    if (!view->IsDrawing())
+    {
+      known = read(view->GetPicture());
+    }
+    return known;
+  };
+}
 }
 
 //------------------------------------------------------------------------------
@@ -216,21 +229,24 @@ MainWindow::~MainWindow()
 void MainWindow::AddPanels()
 {
   this->Light = new LightPanel(this->Edited, this);
-  this->Layers = new LayersPanel(
-    this->Edited, [this] { return GetShownRange(this->Shown->GetPicture()); }, this);
+  this->Layers = new LayersPanel(this->Edited, ReadAtRest(this->Shown, &GetShownRange), this);
   this->Report = new ReportPanel(
-    [this] {
+    [this]() -> std::optional<std::string> {
+      if (this->Shown->IsDrawing())
+      {
+        return std::nullopt;
+      }
       vtkRelievoPass* frame = this->Shown->GetPicture().GetFrame();
       return frame ? frame->GetFrameReport() : std::string();
     },
     this);
   auto* look = new LookPanel(
-    this->Edited, [this] { return GetColorRange(this->Shown->GetPicture()); },
+    this->Edited, ReadAtRest(this->Shown, &GetColorRange),
     [this] {
       return FindSeenRange(
         this->Shown->GetPicture(), this->Edited->Get().Parse().Look, this->Edited->GetFacts());
     },
-    [this] { return GetVolumeFacts(this->Shown->GetPicture()); }, this);
+    ReadAtRest(this->Shown, &GetVolumeFacts), this);
   auto* scene = new ScenePanel(this->Edited, this);
   QDockWidget* first = AddDock(this, "Scene", "scene", scene);
   this->tabifyDockWidget(first, AddDock(this, "Light", "light", this->Light));
@@ -254,6 +270,7 @@ void MainWindow::AddStatus()
   this->Words->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   this->Values = new QLabel(this);
   this->Values->setObjectName("underTheMouse");
+  this->Values->setToolTip("Lengths are in world units");
   this->Smoothing = new QLabel(this);
   this->Smoothing->setObjectName("smoothing");
   this->Smoothing->setToolTip("Soft shadows and smooth edges are gathered while nothing moves");
@@ -287,6 +304,7 @@ void MainWindow::Connect()
   QObject::connect(&this->Later, &QTimer::timeout, this, &MainWindow::ShowLate);
   QObject::connect(&this->Quiet, &QTimer::timeout, this, [this] { this->Bar->setRange(0, 0); });
   QObject::connect(this->Shown, &PictureView::drawn, this, &MainWindow::OnDrawn);
+  QObject::connect(this->Shown, &PictureView::returned, this, &MainWindow::CatchUp);
   QObject::connect(this->Shown, &PictureView::pointed, this, &MainWindow::PointAt);
   LightsGroup* lights = this->Light->GetLights();
   QObject::connect(lights, &LightsGroup::placing, this, &MainWindow::WaitForPlace);
@@ -412,7 +430,7 @@ void MainWindow::ShowProbe()
     const QStringList shown = { "depth", "position", "cell", "volume_depth", "volume_value" };
     if (!value.IsBackground && shown.contains(QString::fromStdString(value.Layer)))
     {
-      words += QString::fromStdString(value.Layer) + " " + WriteValues(value);
+      words += relievoQt::NameLayer(value.Layer) + " " + WriteValues(value);
     }
   }
   this->Values->setText(
@@ -694,8 +712,29 @@ void MainWindow::ShowNothing()
 }
 
 //------------------------------------------------------------------------------
+// The edits made while a sample was drawn.
+void MainWindow::CatchUp()
+{
+  if (this->Behind)
+  {
+    this->Behind = false;
+    this->Follow();
+    if (!this->Reader->IsReading())
+    {
+      Q_EMIT this->Edited->shown();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Panels show an edit at once. The picture changes after the sample that is being drawn.
 void MainWindow::Update()
 {
+  if (this->Shown->IsDrawing())
+  {
+    this->Behind = true;
+    return;
+  }
   try
   {
     this->Shown->GetPicture().Update(this->Edited->Get());

@@ -131,6 +131,7 @@ private:
   void Open(const scene::Settings& settings, const QStringList& recent);
   void Follow();
   void ShowNothing();
+  void CatchUp();
   void Update();
   void ChangeShown(const scene::Settings& settings);
   void Read();
@@ -208,6 +209,7 @@ private:
   bool KeepCamera = false;                                     // instead of Place
   QString ComparedWith;                                        // file of the displayed comparison
   scene::Settings Compared; // of the scene in the displayed comparison
+  bool Behind = false; // edits wait for a sample
   bool Saving = false;
   std::optional<QString> Late; // result of a reading that ended while a picture was saved
   QStringList Opening;         // entries for the recent files after reading

@@ -479,8 +479,11 @@ void pqRelievoLayerControls::ShowValues(vtkIdType pixel)
     vtkDataArray* array = layers->GetArray(qUtf8Printable(names[row]));
     const bool normal =
       vtkRelievoLayerCatalogue::Find(names[row].toStdString()).Kind == vtkRelievoLayer::VECTOR;
-    const QString texts[] = { relievoQt::NameLayer(names[row].toStdString()),
-      HasNothing(this->Image, names[row], pixel) ? "nothing" : WriteValues(array, normal, pixel) };
+    const std::string layer = names[row].toStdString();
+    const QString texts[] = { relievoQt::NameLayer(layer),
+      HasNothing(this->Image, names[row], pixel)
+        ? "nothing"
+        : relievoQt::AddUnit(WriteValues(array, normal, pixel), layer) };
     for (int column = 0; column < 2; ++column)
     {
       if (!this->Values->item(row, column))

@@ -121,14 +121,15 @@ void pqRelievoShadowControls::AddMethods(QWidget* parent)
   for (int texels = 256; texels <= 16384; texels *= 2)
   {
     const int mebibytes = texels * texels / 262144; // four bytes per texel
-    size->addItem(
-      mebibytes ? QString("%1 (%2 MiB)").arg(texels).arg(mebibytes) : QString::number(texels),
+    size->addItem(mebibytes ? QString("%1 texels (%2 MiB)").arg(texels).arg(mebibytes)
+                            : QString("%1 texels").arg(texels),
       texels);
   }
   size->setToolTip("Finer maps have sharper edges: twice the size, half the error, four times the "
                    "graphics memory of each light");
   auto* filter = new relievoQt::Number(0.0, 16.0, 1.0, 0, methods);
   filter->setObjectName("filter");
+  filter->SetUnit("texels");
   filter->setToolTip("How far edges are smoothed, in texels of the map");
   for (QComboBox* choice : { method, size })
   {

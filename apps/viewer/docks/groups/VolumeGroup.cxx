@@ -34,6 +34,7 @@ VolumeGroup::VolumeGroup(Document* document, Reader read, QWidget* parent)
   this->Found->setObjectName("found");
   this->Found->setToolTip("Transparent below the threshold that separates the values best");
   this->Step->setObjectName("step");
+  this->Step->SetUnit("spacings");
   this->Step->setToolTip("Step of rays, in distances of the image's points: smaller steps are "
                          "slower and show fewer rings");
   this->GetRows()->addRow(new QLabel("Opacity curve", this));
