@@ -194,8 +194,11 @@ std::string vtkRelievoLightMaps::MakeShade(vtkOpenGLRenderWindow* window, const 
                               : std::tan(half));
   }
   this->Work.Shade.SetSpreads(spreads);
-  const bool seen =
-    !this->Work.WithoutVolumes && (asked || !this->Work.Props.GetReceiverBoxes().empty());
+  // Other processes may have what receives.
+  const bool receives = asked || !this->Work.Props.GetReceiverBoxes().empty();
+  const bool nowhere =
+    this->Schedule.Exchange.IsOn() ? this->Schedule.Exchange.IsEverywhere(!receives) : !receives;
+  const bool seen = !this->Work.WithoutVolumes && !nowhere;
   this->Work.Shade.SetCasters(
     seen ? this->Work.Props.GetVolumeCasters() : std::vector<vtkRelievoPlacedVolume>(),
     settings.ColoredShadows);

@@ -186,6 +186,7 @@ void vtkRelievoShadowStage::SetController(vtkMultiProcessController* controller)
     this->Internal->Maps.Schedule.Exchange.SetController(controller);
     this->Internal->Lamps.Schedule.Exchange.SetController(controller);
     this->Internal->Maps.Work.Others.SetController(controller);
+    this->Internal->Maps.Work.Shade.SetController(controller);
     // Maps of this process alone, or of a former group.
     this->Internal->Lamps.Work.Cache.Clear();
     this->Internal->Maps.Work.Cache.Clear();
@@ -249,9 +250,9 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   in.Casters.Props.Collect(context.Renderer, context.Scene.Props);
   const bool traces =
     this->Method == METHOD_EXACT || this->Tolerance > 0.0 || this->TimeBudget > 0.0;
-  // Another process may have translucent props.
+  // Another process may have translucent props, or volumes.
   context.ColorsLight = this->Enabled && this->ColoredShadows && !in.Lights.GetCasting().empty() &&
-    ((traces && (in.Maps.Work.Others.IsOn() || in.Casters.Props.HasTranslucentCasters())) ||
+    (in.Maps.Work.Others.IsOn() || (traces && in.Casters.Props.HasTranslucentCasters()) ||
       !in.Casters.Props.GetVolumeCasters().empty());
   return true;
 }

@@ -7,6 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRelievoScopedContext.h"
+#include "vtkRelievoVolumeExchange.h"
 #include "vtkRelievoVolumeExtinction.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
@@ -44,11 +45,11 @@ int RoundUp(int size)
   return (size + Step - 1) / Step * Step;
 }
 
-double CountNodes(const std::vector<vtkRelievoVolumeExtinction>& fields,
+double CountNodes(const vtkRelievoOpticalDepths::Extent& extent,
   const vtkRelievoOpticalDepths::Source& source, int most)
 {
   vtkRelievoOpticalDepths depths;
-  depths.Lay(fields, source, most);
+  depths.Lay(extent, source, most);
   const glm::dvec3 size(depths.GetSize());
   return size.x * size.y * size.z;
 }
@@ -63,7 +64,10 @@ void ClearErrors()
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoVolumeShade::vtkRelievoVolumeShade() = default;
+vtkRelievoVolumeShade::vtkRelievoVolumeShade()
+  : Exchange(std::make_unique<vtkRelievoVolumeExchange>(nullptr))
+{
+}
 
 //------------------------------------------------------------------------------
 vtkRelievoVolumeShade::~vtkRelievoVolumeShade()
@@ -72,9 +76,52 @@ vtkRelievoVolumeShade::~vtkRelievoVolumeShade()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoVolumeShade::Update(
-  vtkOpenGLRenderWindow* window, const std::vector<vtkRelievoOpticalDepths::Source>& sources)
+void vtkRelievoVolumeShade::SetController(vtkMultiProcessController* controller)
 {
+  if (controller != this->Exchange->GetController())
+  {
+    this->Exchange = std::make_unique<vtkRelievoVolumeExchange>(controller);
+    this->State.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Processes take the settings and lights of the first one: their grids have to be equal.
+void vtkRelievoVolumeShade::TakeFirst(std::vector<vtkRelievoOpticalDepths::Source>& sources)
+{
+  std::vector<double> numbers = { static_cast<double>(this->Nodes),
+    static_cast<double>(this->Harmonics), this->Goals.Tolerance, this->Goals.Milliseconds,
+    this->MostBytes };
+  for (const vtkRelievoOpticalDepths::Source& source : sources)
+  {
+    const glm::dvec3& place = source.Position;
+    const glm::dvec3& way = source.Direction;
+    numbers.insert(numbers.end(),
+      { source.Positional ? 1.0 : 0.0, place.x, place.y, place.z, way.x, way.y, way.z });
+  }
+  this->Exchange->TakeFirst(numbers);
+  this->Nodes = static_cast<int>(numbers[0]);
+  this->Harmonics = static_cast<int>(numbers[1]);
+  this->Goals = { numbers[2], numbers[3] };
+  this->MostBytes = numbers[4];
+  const double* from = numbers.data() + 5;
+  for (vtkRelievoOpticalDepths::Source& source : sources)
+  {
+    source.Positional = from[0] != 0.0;
+    source.Position = glm::dvec3(from[1], from[2], from[3]);
+    source.Direction = glm::dvec3(from[4], from[5], from[6]);
+    from += 7;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoVolumeShade::Update(
+  vtkOpenGLRenderWindow* window, std::vector<vtkRelievoOpticalDepths::Source> sources)
+{
+  if (this->Exchange->IsOn())
+  {
+    this->TakeFirst(sources);
+  }
   this->Made = 0;
   if (this->Window != window)
   {
@@ -85,7 +132,7 @@ std::string vtkRelievoVolumeShade::Update(
   GLint limit = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
   const int lights = static_cast<int>(sources.size());
-  const int room = limit / Step / std::max(1, lights) * Step - Step;
+  const int room = this->Exchange->GetLeast(limit / Step / std::max(1, lights) * Step - Step);
   std::vector<std::uint64_t> state;
   for (const vtkRelievoPlacedVolume& volume : this->Casters)
   {
@@ -98,7 +145,7 @@ std::string vtkRelievoVolumeShade::Update(
   {
     state.push_back(static_cast<std::uint64_t>(setting));
   }
-  const bool changed = state != this->State;
+  const bool changed = this->Exchange->IsAnywhere(state != this->State);
   if (!changed && !this->Fault.empty() && sources == this->Sources)
   {
     return this->Fault; // refused before
@@ -120,8 +167,15 @@ std::string vtkRelievoVolumeShade::Update(
       }
       this->NotTraced += why.empty() ? std::string() : "; a volume casts none: " + why;
     }
+    this->Extent =
+      this->Exchange->Join(vtkRelievoOpticalDepths::GetExtent(this->Fields), this->Others);
+    if (this->Exchange->IsOn()) // another process's volumes may have changed
+    {
+      this->Shares.clear();
+      this->Chosen = 0;
+    }
   }
-  if (this->Fields.empty() || sources.empty())
+  if (this->Extent.Corners.empty() || sources.empty())
   {
     const std::string notTraced = this->NotTraced;
     this->Release(window);
@@ -141,8 +195,7 @@ std::string vtkRelievoVolumeShade::Update(
     return refuse("this OpenGL has no room for the depths of volumes towards " +
       std::to_string(lights) + " lights");
   }
-  this->Tinted = std::any_of(this->Fields.begin(), this->Fields.end(),
-    [](const vtkRelievoVolumeExtinction& field) { return field.HasTints(); });
+  this->Tinted = this->Extent.Tinted;
   const int most = this->ChooseNodes(sources, room);
   const bool resized = most != this->NodesMade;
   this->NodesMade = most;
@@ -162,19 +215,19 @@ std::string vtkRelievoVolumeShade::Update(
   {
     if (all || resized || i >= this->Sources.size() || !(this->Sources[i] == sources[i]))
     {
-      this->Depths[i].Make(this->Fields, sources[i], most, this->Harmonics);
+      this->MakeDepths(sources[i], i);
       made.push_back(i);
     }
   }
   this->Sources = sources;
-  if (this->Allocate(lights))
+  if (this->Exchange->IsAnywhere(this->Allocate(lights)))
   {
     // The new texture is empty.
     for (std::size_t i = 0; i < sources.size(); ++i)
     {
       if (std::find(made.begin(), made.end(), i) == made.end())
       {
-        this->Depths[i].Make(this->Fields, sources[i], most, this->Harmonics);
+        this->MakeDepths(sources[i], i);
         made.push_back(i);
       }
     }
@@ -193,13 +246,28 @@ std::string vtkRelievoVolumeShade::Update(
     const bool first = all || this->MillisecondsPerNode == 0.0;
     this->MillisecondsPerNode = first ? each : std::min(this->MillisecondsPerNode, each);
   }
-  if (!this->Texture || !std::all_of(made.begin(), made.end(), [this](std::size_t light) {
-        return this->Upload(light);
-      }))
+  const bool loaded = this->Texture &&
+    std::all_of(
+      made.begin(), made.end(), [this](std::size_t light) { return this->Upload(light); });
+  if (!this->Exchange->IsEverywhere(loaded))
   {
     return refuse("this OpenGL has no memory for the depths of volumes towards lights");
   }
   return std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumeShade::MakeDepths(
+  const vtkRelievoOpticalDepths::Source& source, std::size_t light)
+{
+  vtkRelievoOpticalDepths& depths = this->Depths[light];
+  depths.Lay(this->Extent, source, this->NodesMade, this->Harmonics);
+  depths.Fill(this->Fields, this->Tinted);
+  this->Exchange->Add(depths.GetDepths().data(), depths.GetDepths().size());
+  if (this->Tinted)
+  {
+    this->Exchange->Add(&depths.GetTints()[0].x, 3 * depths.GetTints().size());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -225,7 +293,7 @@ int vtkRelievoVolumeShade::ChooseNodes(
   if (this->Goals.Tolerance > 0.0)
   {
     this->EstimateShares(limit);
-    chosen = this->Shares.back().first;
+    chosen = this->Exchange->GetMost(this->Shares.back().first);
   }
   if (this->Goals.Milliseconds > 0.0)
   {
@@ -237,11 +305,11 @@ int vtkRelievoVolumeShade::ChooseNodes(
       double nodes = 0.0;
       for (const vtkRelievoOpticalDepths::Source& source : sources)
       {
-        nodes += CountNodes(this->Fields, source, count);
+        nodes += CountNodes(this->Extent, source, count);
       }
       fast = each * nodes <= this->Goals.Milliseconds ? count : fast;
     }
-    chosen = std::min(fast, chosen);
+    chosen = std::min(this->Exchange->GetLeast(fast), chosen);
   }
   while (chosen > NodeCounts[0] && this->CountBytes(sources, chosen) > this->MostBytes)
   {
@@ -265,7 +333,7 @@ double vtkRelievoVolumeShade::CountBytes(
   for (const vtkRelievoOpticalDepths::Source& source : sources)
   {
     vtkRelievoOpticalDepths depths;
-    depths.Lay(this->Fields, source, most, this->Harmonics);
+    depths.Lay(this->Extent, source, most, this->Harmonics);
     for (int i = 0; i < 3; ++i)
     {
       size[i] = std::max<double>(size[i], RoundUp(depths.GetStored()[i]));
@@ -302,7 +370,7 @@ void vtkRelievoVolumeShade::EstimateShares(int limit)
   for (const int count : NodeCounts)
   {
     vtkRelievoOpticalDepths depths;
-    depths.Lay(this->Fields, source, count);
+    depths.Lay(this->Extent, source, count);
     if (!this->Shares.empty() && (count > limit || depths.GetSize() == before))
     {
       break; // there are no more nodes than voxels
@@ -481,6 +549,17 @@ void vtkRelievoVolumeShade::SetUniforms(
 }
 
 //------------------------------------------------------------------------------
+double vtkRelievoVolumeShade::GetNodeDistance() const
+{
+  double across = 0.0;
+  for (const glm::dvec3& corner : this->Extent.Corners)
+  {
+    across = std::max(across, glm::length(corner - this->Extent.Corners[0]));
+  }
+  return std::max(this->Extent.Spacing, 2.0 * across / std::max(1, this->NodesMade));
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoVolumeShade::IsAround() const
 {
   return std::any_of(this->Depths.begin(), this->Depths.end(),
@@ -549,6 +628,8 @@ void vtkRelievoVolumeShade::Release(vtkWindow* window)
     this->Sources.clear();
     this->Depths.clear();
     this->Fields.clear();
+    this->Extent = {};
+    this->Others.clear();
     this->State.clear();
     this->NotTraced.clear();
     this->Fault.clear();

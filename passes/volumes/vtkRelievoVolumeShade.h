@@ -16,11 +16,14 @@
 #include <glm/mat4x4.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+class vtkMultiProcessController;
 class vtkOpenGLRenderWindow;
+class vtkRelievoVolumeExchange;
 class vtkShaderProgram;
 class vtkWindow;
 
@@ -31,6 +34,16 @@ public:
   ~vtkRelievoVolumeShade();
   vtkRelievoVolumeShade(const vtkRelievoVolumeShade&) = delete;
   void operator=(const vtkRelievoVolumeShade&) = delete;
+
+  // Processes that each hold a part of the volumes, and update their shade together; nullptr: this
+  // one holds all.
+  void SetController(vtkMultiProcessController* controller);
+
+  // Where other processes have volumes that cast: corners in the world, eight for each.
+  const std::vector<glm::dvec3>& GetOthers() const { return this->Others; }
+
+  // An upper bound of the distance of two nodes.
+  double GetNodeDistance() const;
 
   // The volumes that cast in this frame. `colored`: their colours colour the light.
   void SetCasters(const std::vector<vtkRelievoPlacedVolume>& volumes, bool colored)
@@ -72,7 +85,7 @@ public:
   // light concerns. Returns why there are none, or ""; also if the volumes let all light pass. The
   // context is current.
   std::string Update(
-    vtkOpenGLRenderWindow* window, const std::vector<vtkRelievoOpticalDepths::Source>& sources);
+    vtkOpenGLRenderWindow* window, std::vector<vtkRelievoOpticalDepths::Source> sources);
 
   // Whether shaders have to look the depths up; whether a light is among the volumes.
   bool IsMade() const { return this->Texture != 0; }
@@ -107,11 +120,14 @@ public:
 private:
   int ChooseNodes(const std::vector<vtkRelievoOpticalDepths::Source>& sources, int limit);
   void EstimateShares(int limit);
+  void MakeDepths(const vtkRelievoOpticalDepths::Source& source, std::size_t light);
+  void TakeFirst(std::vector<vtkRelievoOpticalDepths::Source>& sources);
   double CountBytes(const std::vector<vtkRelievoOpticalDepths::Source>& sources, int most) const;
   int GetChannels() const { return this->Tinted ? 4 : 1; } // of a texel
   bool Allocate(int lights);
   bool Upload(std::size_t light);
 
+  std::unique_ptr<vtkRelievoVolumeExchange> Exchange;
   std::vector<vtkRelievoPlacedVolume> Casters;
   bool Colored = false;
   bool Tinted = false;
@@ -131,6 +147,8 @@ private:
   std::vector<vtkRelievoOpticalDepths::Source> ChosenSources;
   std::vector<std::uint64_t> State; // of the fields and the settings
   std::vector<vtkRelievoVolumeExtinction> Fields;
+  vtkRelievoOpticalDepths::Extent Extent; // of all processes' fields
+  std::vector<glm::dvec3> Others;
   std::string Fault;     // why this OpenGL refused them
   std::string NotTraced; // the volumes that cast none, with reasons
   std::vector<vtkRelievoOpticalDepths::Source> Sources;

@@ -114,6 +114,18 @@ view.RelievoDisplayLayer = "None"
 source = simple.RelievoLayers(View=view, Layers=["depth", "position", "actor", "cell"])
 numpy.savez(f"{FOLDER}/layers-{NAME}.npz", **layers.arrays(source))
 simple.Delete(source)
+# Each rank has a brick of a volume. In pictures VTK's own light of bricks differs from the whole's.
+cloud = simple.Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
+shown = simple.Show(cloud, view, "UniformGridRepresentation")
+simple.ColorBy(shown, ("POINTS", "RTData"))
+shown.SetRepresentationType("Volume")
+shown.Scale = [0.06] * 3
+setattr(shown, pv.TRANSLATION, [0.6, -0.8, 1.7])
+source = simple.RelievoLayers(View=view, Layers=["depth", "shadow_5"])
+numpy.savez(f"{FOLDER}/cloud-{NAME}.npz", **layers.arrays(source))
+simple.Delete(source)
+simple.Delete(shown)
+simple.Delete(cloud)
 if NAME != "1":
     source = simple.RelievoLayers(View=view, Layers=["volume_depth"])
     source.UpdatePipeline()

@@ -56,6 +56,15 @@ class Ranks(pv.Test):
             with self.subTest(step=name):
                 self.near(self.one[name], two[name], name, level=1, share=0.0002)
         self.check_layers()
+        self.check_volume()
+
+    def check_volume(self):
+        """The light that passes two bricks is that which passes the whole volume."""
+        one, two = (numpy.load(pv.OUTPUT / f"cloud-{ranks}.npz") for ranks in (1, 2))
+        light = one["shadow_5"]
+        self.assertGreater(((light > 0.05) & (light < 0.95)).sum(), 1000)
+        off = numpy.abs(light - two["shadow_5"]) > 0.005
+        self.assertLessEqual((off & numpy.isfinite(light)).sum(), 12)
 
     def check_layers(self):
         """In numbers they are those of one rank but for edges, and say which rank drew."""

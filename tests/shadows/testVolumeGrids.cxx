@@ -287,7 +287,9 @@ void TestGrids()
   for (const Source& source : sources)
   {
     vtkRelievoOpticalDepths depths;
-    depths.Lay(vtkRelievoVolumeExtinction::Collect(casters[0], why), source, 64);
+    depths.Lay(
+      vtkRelievoOpticalDepths::GetExtent(vtkRelievoVolumeExtinction::Collect(casters[0], why)),
+      source, 64);
     nodes += static_cast<double>(depths.GetSize().x) * depths.GetSize().y * depths.GetSize().z;
   }
   for (const double share : { 0.99, 1.01 })

@@ -178,6 +178,22 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
     const std::vector<vtkRelievoBox>& others = picture.Work.Others.GetWhole().InMaps;
     certifier.Unfollowed.insert(certifier.Unfollowed.end(), others.begin(), others.end());
   }
+  // Rays do not reach the values of other processes' volumes, whose shade begins a node beside them.
+  const std::vector<glm::dvec3>& corners = picture.Work.Shade.GetOthers();
+  const double beside = picture.Work.Shade.GetNodeDistance();
+  for (std::size_t i = 0; i + 8 <= corners.size(); i += 8)
+  {
+    vtkRelievoBox box;
+    box.Min = box.Max = corners[i];
+    for (std::size_t corner = i; corner < i + 8; ++corner)
+    {
+      box.Min = glm::min(box.Min, corners[corner]);
+      box.Max = glm::max(box.Max, corners[corner]);
+    }
+    box.Min -= beside;
+    box.Max += beside;
+    certifier.Unfollowed.push_back(box);
+  }
   certifier.Rays.SetSurfaces(surfaces);
   const double wider = GetWidth(picture.Work.Cache);
   for (vtkRelievoBox& box : certifier.Unfollowed)

@@ -148,22 +148,37 @@ glm::dvec3 GetDirection(double longitude, double angle)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoOpticalDepths::Lay(const std::vector<vtkRelievoVolumeExtinction>& fields,
-  const Source& source, int most, int harmonics)
+vtkRelievoOpticalDepths::Extent vtkRelievoOpticalDepths::GetExtent(
+  const std::vector<vtkRelievoVolumeExtinction>& fields)
+{
+  Extent extent;
+  for (const vtkRelievoVolumeExtinction& field : fields)
+  {
+    if (extent.Corners.empty())
+    {
+      extent.Spacing = field.GetSpacing();
+      extent.Axes = field.GetAxes();
+    }
+    extent.Corners.insert(
+      extent.Corners.end(), field.GetCorners().begin(), field.GetCorners().end());
+    extent.Spacing = std::min(extent.Spacing, field.GetSpacing());
+    extent.Tinted = extent.Tinted || field.HasTints();
+  }
+  return extent;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoOpticalDepths::Lay(
+  const Extent& extent, const Source& source, int most, int harmonics)
 {
   this->ReleaseNodes();
   this->Harmonics = harmonics;
   this->Size = glm::ivec3(0);
-  if (fields.empty())
+  const std::vector<glm::dvec3>& corners = extent.Corners;
+  const double spacing = extent.Spacing;
+  if (corners.empty())
   {
     return;
-  }
-  std::vector<glm::dvec3> corners;
-  double spacing = fields[0].GetSpacing();
-  for (const vtkRelievoVolumeExtinction& field : fields)
-  {
-    corners.insert(corners.end(), field.GetCorners().begin(), field.GetCorners().end());
-    spacing = std::min(spacing, field.GetSpacing());
   }
   glm::dvec3 center(0.0);
   for (const glm::dvec3& corner : corners)
@@ -174,7 +189,7 @@ void vtkRelievoOpticalDepths::Lay(const std::vector<vtkRelievoVolumeExtinction>&
   const glm::dvec3 axis = glm::normalize(!source.Positional ? source.Direction
       : glm::length(away) > 0.0                             ? away
                                                             : glm::dvec3(0.0, 0.0, 1.0));
-  const glm::dvec3 u = GetAcross(fields[0].GetAxes(), axis);
+  const glm::dvec3 u = GetAcross(extent.Axes, axis);
   const glm::dvec3 v = glm::cross(axis, u);
   const glm::dvec3 origin = source.Positional ? source.Position : center;
 
@@ -252,12 +267,18 @@ void vtkRelievoOpticalDepths::Lay(const std::vector<vtkRelievoVolumeExtinction>&
 void vtkRelievoOpticalDepths::Make(const std::vector<vtkRelievoVolumeExtinction>& fields,
   const Source& source, int most, int harmonics)
 {
-  this->Lay(fields, source, most, harmonics);
+  const Extent extent = GetExtent(fields);
+  this->Lay(extent, source, most, harmonics);
+  this->Fill(fields, extent.Tinted);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoOpticalDepths::Fill(
+  const std::vector<vtkRelievoVolumeExtinction>& fields, bool tinted)
+{
   const auto slice = static_cast<std::size_t>(this->Size.x) * this->Size.y;
-  const bool tinted = std::any_of(fields.begin(), fields.end(),
-    [](const vtkRelievoVolumeExtinction& field) { return field.HasTints(); });
   const int stored = this->GetStored().z;
-  const Series series(this->Size.z - 1, harmonics);
+  const Series series(this->Size.z - 1, this->Harmonics);
   this->Depths.assign(slice * stored, 0.f);
   this->Tints.assign(tinted ? slice * stored : 0, glm::vec3(0.f));
   vtkRelievoForAll(this->Size.y, [&](vtkIdType j) {

@@ -13,6 +13,7 @@
 
 #include "vtkRelievoVolumesModule.h" // for the export macro
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -37,6 +38,16 @@ public:
     }
   };
 
+  // Where fields are, for which a grid is laid.
+  struct Extent
+  {
+    std::vector<glm::dvec3> Corners; // world, eight of each field
+    double Spacing = 0.0;            // the smallest distance of two samples
+    glm::dmat3 Axes{ 1.0 };          // of the first field
+    bool Tinted = false;
+  };
+  static Extent GetExtent(const std::vector<vtkRelievoVolumeExtinction>& fields);
+
   // exp(-64) is darkness: deeper rays need no more of a series or a half float.
   static constexpr float Deepest = 64.f;
 
@@ -45,9 +56,10 @@ public:
   void Make(const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most,
     int harmonics = 0);
 
-  // Everything about such a grid but its nodes.
-  void Lay(const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most,
-    int harmonics = 0);
+  // Make in two steps: a grid without nodes, and its nodes, which hold the light of these fields,
+  // some or all of the extent's.
+  void Lay(const Extent& extent, const Source& source, int most, int harmonics = 0);
+  void Fill(const std::vector<vtkRelievoVolumeExtinction>& fields, bool tinted);
 
   // The share of places in and behind the volumes whose light a laid grid misses by more than
   // `slack`, found at `places` random ones by rays in double; -1 if none of them is in any shade.
@@ -74,9 +86,10 @@ public:
     const int along = this->Harmonics > 0 ? 2 * this->Harmonics + 1 : this->Size.z;
     return { this->Size.x, this->Size.y, along };
   }
-  const std::vector<float>& GetDepths() const { return this->Depths; } // x fastest
+  // x fastest
+  std::vector<float>& GetDepths() { return this->Depths; }
   // The tints of vtkRelievoVolumeExtinction, or empty.
-  const std::vector<glm::vec3>& GetTints() const { return this->Tints; }
+  std::vector<glm::vec3>& GetTints() { return this->Tints; }
 
   // Frees the nodes; the matrix and the size stay.
   void ReleaseNodes()
