@@ -130,7 +130,8 @@ std::string FindWhyNotDrawn(vtkVolume* volume)
   {
     int cells = 0;
     vtkDataArray* values = vtkRelievoVolumeImages::GetScalars(mapper, image, cells);
-    why = values ? vtkRelievoVolumeImages::FindWhyNotDrawn(mapper, image, values) : std::string();
+    why = values ? vtkRelievoVolumeImages::FindWhyNotDrawn(volume, image, values, cells != 0)
+                 : std::string();
     if (why.empty())
     {
       break;

@@ -27,6 +27,7 @@
 #include <vtkImageData.h>
 #include <vtkLODProp3D.h>
 #include <vtkLight.h>
+#include <vtkMultiBlockVolumeMapper.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPlane.h>
@@ -353,6 +354,55 @@ void TestBytes()
     RELIEVO_CHECK_NEAR(
       std::exp(-volume.GetExact(source, behind)), drawn, 0.01, what + ", in double");
   }
+}
+
+// The length and one component of vectors, which VTK selects only when it draws; and what it leaves
+// out.
+void TestVectors()
+{
+  Volume volume(3, Constant(0.0));
+  volume.Image->AllocateScalars(VTK_FLOAT, 3);
+  for (int i = 0; i < 27; ++i)
+  {
+    const double range = i == 0 ? 0.0 : i == 26 ? 2.0 : 1.0; // of two corners beside the ray
+    volume.Image->GetPointData()->GetScalars()->SetTuple3(i, 0.3 * range, 0.4 * range, 0.0);
+  }
+  const Source down = Sun({ 0, 0, -1 });
+  const glm::dvec3 below(0.25, 0.75, -1.0);
+  vtkNew<vtkSmartVolumeMapper> smart;
+  vtkNew<vtkMultiBlockVolumeMapper> blocks;
+  for (vtkVolumeMapper* mapper :
+    { static_cast<vtkVolumeMapper*>(smart.Get()), static_cast<vtkVolumeMapper*>(blocks.Get()) })
+  {
+    mapper->SetInputDataObject(volume.Image);
+    volume.Prop->SetMapper(mapper);
+    for (const int component : { -1, 0, 1 })
+    {
+      const int mode =
+        component < 0 ? vtkSmartVolumeMapper::MAGNITUDE : vtkSmartVolumeMapper::COMPONENT;
+      smart->SetVectorMode(mode);
+      smart->SetVectorComponent(std::max(component, 0));
+      blocks->SetVectorMode(mode);
+      blocks->SetVectorComponent(std::max(component, 0));
+      const double opacity = component < 0 ? 0.5 : component == 0 ? 0.3 : 0.4;
+      const std::string what =
+        std::string(mapper->GetClassName()) + ", component " + std::to_string(component);
+      RELIEVO_CHECK_NEAR(
+        std::exp(-volume.GetExact(down, below)), 1.0 - opacity, 1e-5, what + ", in double");
+      RELIEVO_CHECK_NEAR(std::exp(-volume.GetDepth(down, below)), 1.0 - opacity, 1e-3, what);
+    }
+  }
+  std::string why;
+  volume.Prop->GetProperty()->IndependentComponentsOff();
+  volume.Image->AllocateScalars(VTK_FLOAT, 1);
+  RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(volume.Prop.Get(), why).empty());
+  RELIEVO_CHECK_THAT(why.find("of which VTK draws only 2 or 4") != std::string::npos, why);
+  volume.Prop->GetProperty()->IndependentComponentsOn();
+  volume.Prop->SetMapper(smart);
+  smart->SetRequestedRenderModeToRayCast();
+  volume.Image->AllocateScalars(VTK_FLOAT, 2);
+  RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(volume.Prop.Get(), why).empty());
+  RELIEVO_CHECK_THAT(why.find("several components, on the processor") != std::string::npos, why);
 }
 
 // Whatever is not traced is named; NaN lets light pass.
@@ -973,6 +1023,7 @@ RELIEVO_TEST_CASE(testVolumeShadows)
   TestCut();
   TestHard();
   TestBytes();
+  TestVectors();
   TestRefused();
   TestGround();
   TestColored();

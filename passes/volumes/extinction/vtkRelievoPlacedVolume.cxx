@@ -118,6 +118,7 @@ void vtkRelievoPlacedVolume::AddState(bool colored, std::vector<std::uint64_t>& 
     return;
   }
   state.push_back(vtkRelievoVolumeImages::IsDrawnOnProcessor(mapper) ? 1 : 0);
+  state.push_back(scalars ? vtkRelievoVolumeImages::GetVectorPart(mapper, scalars) : 0);
   vtkDataObject* data = mapper->GetDataObjectInput();
   state.push_back(reinterpret_cast<std::uintptr_t>(data));
   state.push_back(data ? vtkRelievoPropMTime::OfData(data) : 0);

@@ -31,20 +31,20 @@ void GetRange(vtkDataArray* array, int component, double range[2])
 
 //------------------------------------------------------------------------------
 vtkRelievoVolumeChannel::vtkRelievoVolumeChannel(vtkVolumeProperty* property, vtkImageData* image,
-  vtkDataArray* array, int component, int function, double stretch)
+  vtkDataArray* array, int component, int function, int opacity, double stretch)
   : Component(component)
   , Stretch(stretch)
 {
   this->Weight = static_cast<float>(property->GetComponentWeight(function));
   double* range = this->Range;
   GetRange(array, component, range);
-  this->Opacity.Set(property->GetScalarOpacity(function));
+  this->Opacity.Set(property->GetScalarOpacity(opacity));
   this->Unit = std::max(1e-300, property->GetScalarOpacityUnitDistance(function));
   std::vector<float> opacities(Entries);
-  property->GetScalarOpacity(function)->GetTable(range[0], range[1], Entries, opacities.data());
+  property->GetScalarOpacity(opacity)->GetTable(range[0], range[1], Entries, opacities.data());
   this->Extinction.resize(Entries);
   std::transform(opacities.begin(), opacities.end(), this->Extinction.begin(),
-    [this](float opacity) { return static_cast<float>(GetExtinction(opacity, this->Unit)); });
+    [this](float each) { return static_cast<float>(GetExtinction(each, this->Unit)); });
   this->First = static_cast<float>(range[0] / this->Stretch);
   this->PerScalar = static_cast<float>(this->Stretch * (Entries - 1) / (range[1] - range[0]));
   if (HasGradients(property, function))

@@ -20,8 +20,9 @@ struct vtkRelievoVolumeChannel
 {
   static constexpr int Entries = 4096; // of tables
 
+  // `function`: the index of the property's settings; `opacity`: of its opacity function.
   vtkRelievoVolumeChannel(vtkVolumeProperty* property, vtkImageData* image, vtkDataArray* array,
-    int component, int function, double stretch);
+    int component, int function, int opacity, double stretch);
 
   int Component = 0;
   float Weight = 1.f;

@@ -51,6 +51,24 @@ std::string FindWhyNot(vtkVolume* volume, vtkVolumeMapper* mapper)
   }
   return std::string();
 }
+
+// Of the values' type, as vtkImageMagnitude makes them.
+vtkSmartPointer<vtkDataArray> MakeMagnitudes(vtkDataArray* vectors)
+{
+  auto magnitudes = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(vectors->GetDataType()));
+  magnitudes->SetNumberOfTuples(vectors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    double squares = 0.0;
+    for (int component = 0; component < vectors->GetNumberOfComponents(); ++component)
+    {
+      const double value = vectors->GetComponent(i, component);
+      squares += value * value;
+    }
+    magnitudes->SetComponent(i, 0, std::sqrt(squares));
+  }
+  return magnitudes;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -88,10 +106,21 @@ std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
     {
       continue;
     }
-    why = vtkRelievoVolumeImages::FindWhyNotDrawn(mapper, image, field.Array);
+    why = vtkRelievoVolumeImages::FindWhyNotDrawn(volume, image, field.Array, cells != 0);
     if (!why.empty())
     {
       return {};
+    }
+    const int part = vtkRelievoVolumeImages::GetVectorPart(mapper, field.Array);
+    if (part == vtkRelievoVolumeImages::Magnitude)
+    {
+      if (cells)
+      {
+        why = "its mapper draws the magnitude of cells' vectors, which VTK smooths; use an array "
+              "of magnitudes";
+        return {};
+      }
+      field.Array = MakeMagnitudes(field.Array);
     }
     const int components = field.Array->GetNumberOfComponents();
     const bool independent = components > 1 && property->GetIndependentComponents();
@@ -130,19 +159,21 @@ std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
     const double stretch = vtkRelievoVolumeImages::IsDrawnOnProcessor(mapper)
       ? 1.0
       : vtkRelievoVolumeImages::GetStretch(field.Array);
-    for (int i = 0; i < (independent ? components : 1); ++i)
+    for (int i = std::max(part, 0); i < (part >= 0 ? part + 1 : independent ? components : 1); ++i)
     {
-      // The last of two or four dependent components is the opacity's.
-      vtkRelievoVolumeChannel channel(
-        property, image, field.Array, independent ? i : components - 1, i, stretch);
+      // The last of two or four dependent components is the opacity's. One component of vectors has
+      // the first one's functions.
+      const int function = part >= 0 ? 0 : i;
+      vtkRelievoVolumeChannel channel(property, image, field.Array,
+        independent || part >= 0 ? i : components - 1, i, function, stretch);
       const bool seen = *std::max_element(channel.Extinction.begin(), channel.Extinction.end()) > 0;
       // VTK weights components only if there are several.
-      channel.Weight = independent ? channel.Weight : 1.f;
+      channel.Weight = independent && part < 0 ? channel.Weight : 1.f;
       if (seen && channel.Weight > 0.f)
       {
         if (colored)
         {
-          channel.AddTints(property, field.Array, i);
+          channel.AddTints(property, field.Array, function);
         }
         field.Channels.push_back(channel);
       }

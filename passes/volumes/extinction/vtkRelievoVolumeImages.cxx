@@ -8,10 +8,13 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
+#include "vtkMultiBlockVolumeMapper.h"
 #include "vtkRelievoMatrix.h"
 #include "vtkSmartPointer.h"
 #include "vtkSmartVolumeMapper.h"
+#include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 
@@ -55,20 +58,51 @@ bool vtkRelievoVolumeImages::IsDrawnOnProcessor(vtkAbstractVolumeMapper* mapper)
   {
     return mapper && mapper->IsA("vtkFixedPointVolumeRayCastMapper");
   }
-  // The mode of the last frame may be another one than the next frame's.
-  const int requested = smart->GetRequestedRenderMode();
-  return (requested == vtkSmartVolumeMapper::DefaultRenderMode
-             ? smart->GetLastUsedRenderMode()
-             : requested) == vtkSmartVolumeMapper::RayCastRenderMode;
+  // By default it draws with vtkOpenGLGPUVolumeRayCastMapper, which supports every volume.
+  return smart->GetRequestedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoVolumeImages::GetVectorPart(vtkVolumeMapper* mapper, vtkDataArray* values)
+{
+  auto* smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+  auto* blocks = vtkMultiBlockVolumeMapper::SafeDownCast(mapper);
+  const int mode = smart ? smart->GetVectorMode()
+    : blocks             ? blocks->GetVectorMode()
+                         : vtkSmartVolumeMapper::DISABLED;
+  if (mode == vtkSmartVolumeMapper::DISABLED || values->GetNumberOfComponents() < 2 ||
+    IsDrawnOnProcessor(mapper))
+  {
+    return Everything;
+  }
+  return mode == vtkSmartVolumeMapper::MAGNITUDE ? Magnitude
+    : smart                                      ? smart->GetVectorComponent()
+                                                 : blocks->GetVectorComponent();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoVolumeImages::FindWhyNotDrawn(
-  vtkAbstractVolumeMapper* mapper, vtkImageData* image, vtkDataArray* values)
+  vtkVolume* volume, vtkImageData* image, vtkDataArray* values, bool cells)
 {
+  auto* mapper = static_cast<vtkVolumeMapper*>(volume->GetMapper());
+  const int part = GetVectorPart(mapper, values);
+  const int components = part == Magnitude ? 1 : values->GetNumberOfComponents();
   if (IsDrawnOnProcessor(mapper))
   {
-    return {};
+    return mapper->IsA("vtkSmartVolumeMapper") && (cells || components > 1)
+      ? "VTK does not draw values of cells, or several components, on the processor; use "
+        "SetRequestedRenderModeToGPU()"
+      : "";
+  }
+  if (!volume->GetProperty()->GetIndependentComponents() && components != 2 && components != 4)
+  {
+    return "its components depend on each other (IndependentComponentsOff), but it has " +
+      std::to_string(components) + ", of which VTK draws only 2 or 4";
+  }
+  if (part >= components)
+  {
+    return "its mapper draws component " + std::to_string(part) + " of " +
+      std::to_string(components);
   }
   if (values->GetDataType() == VTK_CHAR)
   {

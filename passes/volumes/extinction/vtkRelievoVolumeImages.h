@@ -14,6 +14,7 @@ class vtkAbstractVolumeMapper;
 class vtkDataArray;
 class vtkDataObject;
 class vtkImageData;
+class vtkVolume;
 class vtkVolumeMapper;
 
 namespace vtkRelievoVolumeImages
@@ -27,9 +28,14 @@ vtkDataArray* GetScalars(vtkVolumeMapper* mapper, vtkImageData* image, int& cell
 // Whether the mapper draws without VTK's shader.
 bool IsDrawnOnProcessor(vtkAbstractVolumeMapper* mapper);
 
+// The part of vectors that a mapper draws: their component, or one of these.
+constexpr int Everything = -1;
+constexpr int Magnitude = -2;
+int GetVectorPart(vtkVolumeMapper* mapper, vtkDataArray* values);
+
 // The reason why VTK leaves an image of these values out, or "".
 std::string FindWhyNotDrawn(
-  vtkAbstractVolumeMapper* mapper, vtkImageData* image, vtkDataArray* values);
+  vtkVolume* volume, vtkImageData* image, vtkDataArray* values, bool cells);
 
 // VTK's shader looks values of 8 and 16 bits up in transfer functions as if they were larger by
 // this factor: it divides them by their number of values (vtkVolumeTexture::GetScaleAndBias),
