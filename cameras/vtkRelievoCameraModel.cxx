@@ -261,6 +261,13 @@ void vtkRelievoCameraModel::Project(vtkDoubleArray* points, vtkDoubleArray* plac
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoCameraModel::GetRangeLimits(double limits[2])
+{
+  limits[0] = 0.0;
+  limits[1] = std::numeric_limits<double>::infinity();
+}
+
+//------------------------------------------------------------------------------
 double vtkRelievoCameraModel::GetDepth(const double[3], const double point[3])
 {
   return vtkMath::Dot(this->Rotation + 6, point) + this->Translation[2];

@@ -95,6 +95,9 @@ public:
   void GetRays(vtkDoubleArray* places, vtkDoubleArray* origins, vtkDoubleArray* directions);
   ///@}
 
+  /** The distances, along a ray, between which the sensor reports surfaces; default 0 to infinity. */
+  virtual void GetRangeLimits(double limits[2]);
+
   /**
    * The depth of a world point hit by a ray from this origin: z in camera space, or the distance
    * for sensors without a single direction.

@@ -11,13 +11,20 @@
  * the world to it. Azimuths are counted from x towards y, counterclockwise seen from above, and
  * elevations from the plane z = 0 upwards, in degrees.
  *
- * Beams have no positions between them, so ProjectCameraPoint() always fails.
+ * Between two beams of a spinning sensor, elevations and azimuth offsets are interpolated, if the
+ * elevations only rise or only fall from beam to beam. Points then have positions in the picture.
+ * Other sensors have none, and HasPlaces() is false.
+ *
+ * Range limits, beam divergence and noise apply where the returns of beams are reported
+ * (vtkRelievoRayLayers). Positions, visible cells and flow follow the axes of the beams, within the
+ * range limits.
  */
 #ifndef vtkRelievoLidar_h
 #define vtkRelievoLidar_h
 
 #include "vtkRelievoCameraModel.h"
 
+#include <limits> // for infinity
 #include <vector> // for the beams
 
 class VTKRELIEVOCAMERAS_EXPORT vtkRelievoLidar : public vtkRelievoCameraModel
@@ -38,6 +45,48 @@ public:
   /** Azimuth offsets of a spinning sensor's beams, one for each. Default 0. */
   void SetAzimuthOffsets(int beams, const double* offsets) VTK_SIZEHINT(offsets, beams);
 
+  /**
+   * The sensor's motion during one turn, in its axes at column 0: a straight way of `way` world
+   * units, and a rotation about `turn` by its length in degrees, both at constant speed. The pose is
+   * that of column 0. Sensors that do not spin ignore it. Default 0.
+   */
+  void SetMotion(const double way[3], const double turn[3]);
+
+  /**
+   * Range limits in world units: a beam has no return from surfaces nearer than `minimum` (0) or
+   * farther than `maximum` (infinity).
+   */
+  void SetRangeLimits(double minimum, double maximum);
+  void GetRangeLimits(double limits[2]) override;
+
+  ///@{
+  /**
+   * Beam divergence: the full angle of a beam in degrees, from 0 (default) to 90, and the rays that
+   * fill its cone, 1 to 4096 (16), evenly from the axis to the rim. The return of a beam is that of
+   * its ray with the nearest (FIRST, default) or the farthest (LAST) hit.
+   */
+  enum
+  {
+    FIRST = 0,
+    LAST = 1
+  };
+  void SetDivergence(double degrees, int rays);
+  vtkGetMacro(Divergence, double);
+  vtkGetMacro(RaysOfABeam, int);
+  vtkSetClampMacro(Return, int, FIRST, LAST);
+  vtkGetMacro(Return, int);
+  ///@}
+
+  ///@{
+  /**
+   * Range noise: the standard deviation of a normal distribution in world units (0), and the seed
+   * (0). The error of a beam depends on its pixel and the seed alone.
+   */
+  void SetNoise(double deviation, int seed);
+  vtkGetMacro(Noise, double);
+  vtkGetMacro(Seed, int);
+  ///@}
+
   /** Beams with individual directions: one row, a column for each. */
   void SetDirections(int beams, const double* azimuths, const double* elevations)
     VTK_SIZEHINT(azimuths, beams) VTK_SIZEHINT(elevations, beams);
@@ -48,7 +97,8 @@ public:
   bool HasPicture() override { return false; }
   bool GetCameraRay(double u, double v, double origin[3], double direction[3]) override;
   bool ProjectCameraPoint(const double point[3], double pixel[2]) override;
-  bool HasPlaces() override { return false; }
+  bool HasPlaces() override;
+  double GetColumnsOfTurn() override;
   double GetDepth(const double origin[3], const double point[3]) override;
   void Copy(vtkRelievoCameraModel* other) override;
   void AddTo(vtkFieldData* fields) override;
@@ -62,12 +112,25 @@ private:
   void operator=(const vtkRelievoLidar&) = delete;
 
   bool CheckAngles(const char* what, int count, const double* angles);
+  double GetAzimuth(double u, double v) const;
+  double GetInterpolated(const std::vector<double>& values, double v) const;
+  bool FindBeam(double elevation, double& v) const;
+  bool FindColumn(const double point[3], double& u, double& v) const;
+  bool IsMoving() const;
 
   std::vector<double> Elevations;
   std::vector<double> Azimuths; // by beam; offsets if it spins
   bool Spins = true;
   double First = 180.0;
   double Last = -180.0;
+  double Way[3] = { 0.0, 0.0, 0.0 };
+  double Turn[3] = { 0.0, 0.0, 0.0 };
+  double RangeLimits[2] = { 0.0, std::numeric_limits<double>::infinity() };
+  double Divergence = 0.0;
+  int RaysOfABeam = 16;
+  int Return = FIRST;
+  double Noise = 0.0;
+  int Seed = 0;
 };
 
 #endif

@@ -376,7 +376,7 @@ void vtkRelievoDatasetWriter::Internals::Check(
     if (flow != this->Layers.end() && isGoal && !this->Cameras[i]->HasPlaces())
     {
       throw words::UsageError(view + ": layer " + *flow +
-        " refers to places in a picture, which a lidar does not have between its beams; "
+        " refers to places in a picture, which this lidar does not have between its beams; "
         "expected another sensor, or layers without flow");
     }
   }

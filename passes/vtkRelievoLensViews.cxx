@@ -184,7 +184,7 @@ std::string vtkRelievoLensViews::Plan(vtkRelievoCameraModel* sensor, double over
   this->Faces.assign(static_cast<std::size_t>(size[0]) * size[1], NoFace);
   this->Single = false;
   this->FindFaces(false);
-  if (!this->IsOnePlace || !sensor->HasPlaces())
+  if (!this->IsOnePlace || !sensor->HasPicture())
   {
     return "colour is drawn from one place, and of pixels: got a " +
       std::string(sensor->GetClassName()) +

@@ -14,6 +14,7 @@
 #include "vtkRelievoCameraModel.h"
 #include "vtkRelievoFreeSight.h"
 #include "vtkRelievoRayScene.h"
+#include "vtkRelievoReturns.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
@@ -124,6 +125,8 @@ int vtkRelievoFlow::RequestData(
   vtkNew<vtkDoubleArray> targets;
   vtkNew<vtkTable> hits;
   vtkNew<vtkTable> laterHits;
+  const vtkRelievoReturns source(this->From.Scene, this->From.Camera);
+  const vtkRelievoReturns goal(this->To.Scene, this->To.Camera);
   const vtkIdType rowsAtOnce = std::max<vtkIdType>(1, FlowsAtOnce / columns);
   for (vtkIdType row = 0; row < rows; row += rowsAtOnce)
   {
@@ -143,12 +146,14 @@ int vtkRelievoFlow::RequestData(
       vtkErrorMacro("The rays to the moved points were not followed; see the errors before.");
       return 0;
     }
+    source.LimitRange(hits);
     auto* before = vtkDataArray::SafeDownCast(hits->GetColumnByName("position"));
+    auto* distance = vtkDataArray::SafeDownCast(hits->GetColumnByName("distance"));
     auto* nearest = vtkDataArray::SafeDownCast(laterHits->GetColumnByName("distance"));
     for (vtkIdType i = 0; i < count; ++i)
     {
       const double* to = moved->GetPointer(3 * i);
-      if (std::isnan(to[0]))
+      if (std::isnan(to[0]) || std::isinf(distance->GetComponent(i, 0)))
       {
         continue;
       }
@@ -164,8 +169,9 @@ int vtkRelievoFlow::RequestData(
       flow->SetComponent(pixel, 1, target[1] - static_cast<double>(row + i / columns));
       const bool inside = target[0] >= -0.5 && target[0] <= seen[0] - 0.5 && target[1] >= -0.5 &&
         target[1] <= seen[1] - 0.5;
-      const bool free =
-        vtkRelievoIsFree(nearest->GetComponent(i, 0), origins->GetPointer(3 * i), to);
+      const double* origin = origins->GetPointer(3 * i);
+      const bool free = vtkRelievoIsFree(nearest->GetComponent(i, 0), origin, to) &&
+        goal.IsInRange(std::sqrt(vtkMath::Distance2BetweenPoints(origin, to)));
       valid->SetValue(pixel, inside && free ? 1 : 0);
     }
     this->UpdateProgress(static_cast<double>(end) / static_cast<double>(rows));

@@ -20,7 +20,7 @@
  *   otherwise 0.
  *
  * Errors: a scene or a camera is missing; the second camera cannot project points
- * (vtkRelievoLidar).
+ * (see vtkRelievoLidar).
  */
 #ifndef vtkRelievoFlow_h
 #define vtkRelievoFlow_h

@@ -21,6 +21,7 @@
 #include "vtkRelievoLayer.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoRayScene.h"
+#include "vtkRelievoReturns.h"
 #include "vtkRelievoSkySamples.h"
 #include "vtkRelievoSkyTurn.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -521,6 +522,7 @@ int vtkRelievoRayLayers::RequestData(
   vtkNew<vtkDoubleArray> origins;
   vtkNew<vtkDoubleArray> directions;
   vtkNew<vtkTable> table;
+  vtkRelievoReturns returns(this->Scene, this->Camera);
   SkyRays sky;
   std::vector<double> ambient;
   if (std::find(this->Layers.begin(), this->Layers.end(), Ambient) != this->Layers.end())
@@ -532,12 +534,13 @@ int vtkRelievoRayLayers::RequestData(
   {
     const vtkIdType end = std::min(rows, row + rowsAtOnce);
     this->Camera->GetRowRays(static_cast<int>(row), static_cast<int>(end), origins, directions);
-    if (!this->Scene->FindNearest(origins, directions, table) ||
+    if (!returns.Find(origins, directions, table) ||
       (!sky.Points.empty() && !this->FindAmbient(sky, table, row * columns, ambient)))
     {
       vtkErrorMacro("The rays of the camera were not followed; see the errors before.");
       return 0;
     }
+    returns.AddNoise(directions, row * columns, table);
     const Hits hits(table);
     for (vtkIdType i = 0; i < origins->GetNumberOfTuples(); ++i)
     {

@@ -24,6 +24,7 @@
 #include "vtkRelievoLensCamera.h"
 #include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRayScene.h"
+#include "vtkRelievoReturns.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRelievoTriangleSight.h"
 #include "vtkTable.h"
@@ -37,6 +38,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 
 vtkStandardNewMacro(vtkRelievoVisibility);
 
@@ -204,6 +206,7 @@ public:
     this->Camera = camera;
     auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
     this->IsPinhole = lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE;
+    this->Returns.emplace(this->Scene, camera);
     this->Hit.assign(this->Pixels.size(), false);
     this->Shown.assign(this->Pixels.size(), 0.0);
     this->PixelsShown = 0;
@@ -244,12 +247,13 @@ private:
   bool IsQuick = false;                           // for this camera
   vtkRelievoCameraModel* Camera = nullptr;
   bool IsPinhole = false;
-  std::vector<bool> Hit;              // cells, by this camera
-  std::vector<double> Shown;          // solid angles of cells, for this camera
-  std::vector<bool> Large;            // cells whose solid angle is that of their pixels
-  vtkIdType PixelsShown = 0;          // of the mesh, by this camera
-  double PixelAngle = 0.0;            // mean solid angle of these pixels
-  vtkNew<vtkDoubleArray> PointPlaces; // in the picture
+  std::optional<vtkRelievoReturns> Returns; // of this camera
+  std::vector<bool> Hit;                    // cells, by this camera
+  std::vector<double> Shown;                // solid angles of cells, for this camera
+  std::vector<bool> Large;                  // cells whose solid angle is that of their pixels
+  vtkIdType PixelsShown = 0;                // of the mesh, by this camera
+  double PixelAngle = 0.0;                  // mean solid angle of these pixels
+  vtkNew<vtkDoubleArray> PointPlaces;       // in the picture
   vtkNew<vtkDoubleArray> PointDirections;
   vtkNew<vtkDoubleArray> Places;
   vtkNew<vtkDoubleArray> Origins;
@@ -277,11 +281,21 @@ private:
     const vtkIdType* Cell;
   };
 
+  bool FindHits()
+  {
+    if (!this->Scene->FindNearest(this->Origins, this->Directions, this->Hits))
+    {
+      return false;
+    }
+    this->Returns->LimitRange(this->Hits);
+    return true;
+  }
+
   // Finds the first hit of each position's ray.
   bool Trace()
   {
     this->Camera->GetRays(this->Places, this->Origins, this->Directions);
-    return this->Scene->FindNearest(this->Origins, this->Directions, this->Hits);
+    return this->FindHits();
   }
 
   bool AddPixels(int number)
@@ -295,7 +309,7 @@ private:
       const vtkIdType end = std::min(rows, row + rowsAtOnce);
       this->Camera->GetRowRays(
         static_cast<int>(row), static_cast<int>(end), this->Origins, this->Directions);
-      if (!this->Scene->FindNearest(this->Origins, this->Directions, this->Hits))
+      if (!this->FindHits())
       {
         return false;
       }
@@ -636,8 +650,10 @@ private:
         for (std::size_t i = 0; i < points.size(); ++i)
         {
           const auto ray = static_cast<vtkIdType>(i);
-          const bool free = vtkRelievoIsFree(distances->GetComponent(ray, 0),
-            this->Origins->GetPointer(3 * ray), this->Points->GetPointer(3 * points[i]));
+          const double* origin = this->Origins->GetPointer(3 * ray);
+          const double* corner = this->Points->GetPointer(3 * points[i]);
+          const bool free = vtkRelievoIsFree(distances->GetComponent(ray, 0), origin, corner) &&
+            this->Returns->IsInRange(std::sqrt(vtkMath::Distance2BetweenPoints(origin, corner)));
           this->PointsSeen[static_cast<std::size_t>(points[i])] += free ? 1 : 0;
         }
         points.clear();

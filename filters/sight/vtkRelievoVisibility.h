@@ -23,7 +23,7 @@
  * sides. For cameras whose rays begin at one point, most results are found without a ray for each.
  * Vertices and lines occlude nothing and are never seen.
  *
- * Errors: no cameras, a camera that cannot project points (vtkRelievoLidar).
+ * Errors: no cameras, a camera that cannot project points (see vtkRelievoLidar).
  */
 #ifndef vtkRelievoVisibility_h
 #define vtkRelievoVisibility_h

@@ -325,6 +325,41 @@ class Lenses(unittest.TestCase):
         numpy.testing.assert_allclose(directions, [(numpy.cos(turned), numpy.sin(turned), 0)],
                                       atol=1e-12)
 
+    def test_moving_lidars(self):
+        """Rays of a turn in motion, in closed form; points are found where the rays pass."""
+        angles = numpy.array([25, 10, 4, 0, -7, -20.5])
+        sensor = relievo.Lidar(angles, steps=720, way=(2, -1, 0.5), rotation=(0, 0, 12))
+        origins, directions = sensor.rays([(0, 3), (360, 3), (180, 3)])
+        numpy.testing.assert_allclose(
+            origins, numpy.outer([0, 0.5, 0.25], (2, -1, 0.5)), atol=1e-12)
+        azimuth = numpy.degrees(numpy.arctan2(directions[:, 1], directions[:, 0]))
+        numpy.testing.assert_allclose(numpy.abs(azimuth[0]), 180, atol=1e-9)
+        numpy.testing.assert_allclose(azimuth[1:], [6, 93], atol=1e-9)
+        tilted = relievo.Lidar([0, 1], steps=4, rotation=(0, 40, 0)).rays([(2, 0)])[1]
+        dip = numpy.radians(20)  # half of the rotation about y, which lowers the x axis
+        numpy.testing.assert_allclose(tilted, [(numpy.cos(dip), 0, -numpy.sin(dip))], atol=1e-12)
+
+        random = numpy.random.default_rng(5)
+        for words in ({}, {"offsets": [0, 1, 0.5, -1, 0, 2]}, {"turn": (-180, 180)},
+                      {"turn": (60, -50)}, {"way": (1, 2, 0.3)},
+                      {"way": (-2, 1, 0), "rotation": (3, -5, 25), "offsets": [1, 0, 0, 2, 0, 0]}):
+            for each in (angles, angles[::-1]):
+                sensor = relievo.Lidar(each, steps=720, **words)
+                sensor.pose((0.2, -0.4, 1.1), (3, 1, -2))
+                places = random.uniform((0, 0), (719, 5), (500, 2))
+                origins, directions = sensor.rays(places)
+                points = origins + random.uniform(9, 30, (500, 1)) * directions
+                found = sensor.project(points)
+                if "way" not in words:  # a sensor that moves may pass a point twice in a turn
+                    numpy.testing.assert_allclose(found, places, atol=1e-6)
+                origins, directions = sensor.rays(found)
+                along = ((points - origins) * directions).sum(axis=-1, keepdims=True)
+                off = numpy.linalg.norm(points - origins - along * directions, axis=-1)
+                self.assertLess(off.max(), 1e-8)
+        for sensor in (relievo.Lidar([0], steps=9), relievo.Lidar([0, 2, 1], steps=9),
+                       relievo.Lidar([0, 2], azimuths=[1, 2])):
+            self.assertTrue(numpy.isnan(sensor.project([(1, 0, 0)])).all())
+
     def test_look_at(self):
         sensor = relievo.Pinhole(K, SIZE).look_at((1, 2, 3), (1, 2, -5), (0, 1, 0))
         numpy.testing.assert_allclose(sensor.project([(1, 2, 0)]), [K[:2, 2]], atol=1e-9)
@@ -353,6 +388,12 @@ class Lenses(unittest.TestCase):
             ("distortion: got", lambda: relievo.Pinhole(K, SIZE, distortion="k1")),
             ("either steps", lambda: relievo.Lidar([0, 1])),
             ("azimuths: got", lambda: relievo.Lidar([0, 1], azimuths=[0])),
+            ("0 <= minimum", lambda: relievo.Lidar([0, 1], 9, min_range=3, max_range=2)),
+            ("0 to 90 degrees", lambda: relievo.Lidar([0, 1], 9, divergence=-1)),
+            ("1 to 4096 rays", lambda: relievo.Lidar([0, 1], 9, divergence=1, samples=0)),
+            ("returns: got", lambda: relievo.Lidar([0, 1], 9, returns="strongest")),
+            ("noise of", lambda: relievo.Lidar([0, 1], 9, noise=-1)),
+            ("way: got", lambda: relievo.Lidar([0, 1], 9, way=(1, 2))),
             ("places: got", lambda: relievo.Pinhole(K, SIZE).rays([[1, 2, 3]])),
             ("points: got", lambda: relievo.Pinhole(K, SIZE).project([[1, 2]])),
         ):

@@ -22,6 +22,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet,
     vtkPolyData,
 )
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import (
     vtkCubeSource,
     vtkLineSource,
@@ -223,8 +224,6 @@ class Layers(unittest.TestCase):
                 self.assertGreater(inside.sum(), 50)
                 seen = relievo.layer(image, "range")
                 self.assertLess(numpy.abs(seen - root)[inside].max(), 3e-4)
-                if isinstance(sensor, relievo.Lidar):
-                    continue  # beams have no places between them
                 off = sensor.project(relievo.layer(image, "position")[inside])
                 v, u = numpy.nonzero(inside)
                 self.assertLess(numpy.abs(off - numpy.stack([u, v], axis=-1)).max(), 1e-6)
@@ -278,6 +277,74 @@ class Seen(unittest.TestCase):
             seen = relievo.visible(square, [sensor, sensor], occluders=half_wall)
             left = array(seen, "solid_angle").sum() / 2
             self.assertAlmostEqual(left / truth, 0.5, delta=0.02, msg=f"{pixels} pixels a cell")
+
+    def test_lidars(self):
+        """Within a box a scanner sees the band between its outer beams, as far as it reaches."""
+        mesh = box((0, 0, 0), 4)
+        sensor = relievo.Lidar(numpy.arange(20, -20.5, -1), steps=360)
+        seen = relievo.visible(mesh, sensor)
+        band = 4 * numpy.pi * numpy.sin(numpy.radians(20.5))
+        self.assertAlmostEqual(array(seen, "solid_angle").sum() / band, 1, delta=0.01)
+        self.assertEqual(array(seen, "pixels").sum(), 41 * 360)
+        # Walls are 4 away; a beam reaches those within acos(4 / 4.5) of a wall's normal.
+        near = relievo.Lidar(numpy.arange(20, -20.5, -1), steps=360, max_range=4.5)
+        origins, directions = near.rays()
+        expected = (4 / numpy.abs(directions).max(axis=-1) <= 4.5).sum()
+        self.assertEqual(array(relievo.visible(mesh, near), "pixels").sum(), expected)
+        self.assertEqual(array(relievo.visible(
+            mesh, relievo.Lidar([5, 0], steps=90, min_range=4.2, max_range=5)), "seen").max(), 1)
+        far = relievo.Lidar([5, 0], steps=90, min_range=7)
+        self.assertEqual(array(relievo.visible(mesh, far), "seen").max(), 0)
+        self.assertEqual(vtk_to_numpy(relievo.visible(mesh, far).GetPointData().GetArray("seen"))
+                         .max(), 0)
+        depth = relievo.layer(relievo.capture(mesh, "depth", camera=near), "depth")
+        self.assertEqual(numpy.isfinite(depth).sum(), expected)
+
+    def test_beams_that_diverge(self):
+        """A beam over an edge returns from the plate before it first, and from the wall last."""
+        plate = grid((5, -9, -9), (5, 0, -9), (5, -9, 9), 1, 1)
+        wall = grid((10, -50, -50), (10, 50, -50), (10, -50, 50), 1, 1)
+        scene = vtkAppendPolyData()
+        for each in (plate, wall):
+            scene.AddInputData(each)
+        scene.Update()
+        azimuths = [-1.6, -0.5, 0.5, 1.6]  # degrees; the edge is at 0, beams are 2 wide
+        for returns, expected in (("first", [5, 5, 5, 10]), ("last", [5, 10, 10, 10])):
+            sensor = relievo.Lidar([0] * 4, azimuths=azimuths, divergence=2, samples=64,
+                                   returns=returns)
+            image = relievo.capture(scene.GetOutput(), ["position", "range"], camera=sensor)
+            position = relievo.layer(image, "position")
+            numpy.testing.assert_allclose(position[0, :, 0], expected, rtol=1e-6)
+            numpy.testing.assert_allclose(  # of the ray that returned
+                relievo.layer(image, "range")[0], numpy.linalg.norm(position[0], axis=-1), rtol=1e-6)
+            away = numpy.degrees(numpy.arccos((sensor.rays()[1][0] * position[0]).sum(axis=-1)
+                                              / numpy.linalg.norm(position[0], axis=-1)))
+            self.assertLessEqual(away.max(), 1 + 1e-6)
+            self.assertGreater(away.max(), 0.5)
+
+    def test_range_noise(self):
+        """Errors are normally distributed, along the beam, and the seed repeats them."""
+        wall = box((0, 0, 0), 4)
+
+        def capture(**words):
+            sensor = relievo.Lidar(numpy.arange(20, -20.5, -1), steps=360, **words)
+            image = relievo.capture(wall, ["range", "position"], camera=sensor)
+            return sensor.rays()[1], *(relievo.layer(image, name) for name in ("range", "position"))
+
+        _, exact, _ = capture()
+        directions, noisy, position = capture(noise=0.02, seed=7)
+        error = (noisy - exact).astype(float) / 0.02
+        count = error.size
+        self.assertLess(abs(error.mean()), 4 / count**0.5)
+        self.assertLess(abs(error.std() - 1), 4 / (2 * count) ** 0.5)
+        for within, share in ((1, 0.682689), (2, 0.954500), (3, 0.997300)):
+            deviation = (share * (1 - share) / count) ** 0.5
+            self.assertLess(abs((numpy.abs(error) < within).mean() - share), 4 * deviation)
+        self.assertLess(abs((error[:, 1:] * error[:, :-1]).mean()), 4 / count**0.5)
+        numpy.testing.assert_allclose(position, noisy[..., None] * directions, atol=1e-5)
+        numpy.testing.assert_array_equal(capture(noise=0.02, seed=7)[1], noisy)
+        other = (capture(noise=0.02, seed=8)[1] - exact).astype(float) / 0.02
+        self.assertLess(abs((error * other).mean()), 4 / count**0.5)
 
     def test_concave_cells_are_seen_whole(self):
         # An L from above, whatever its first corner: by pixels whose rays end within it.
@@ -1097,6 +1164,26 @@ class Flow(unittest.TestCase):
                     self.assertGreater(seen.sum(), 10)
                     self.assertLess(numpy.abs(flow[seen]).max(), 1e-9 + 1e-12 * far)
                     self.assertGreater((relievo.layer(image, "flow_valid")[seen] == 1).mean(), 0.98)
+        mesh = box((0, 0, 0), 1)
+        scanner = {"elevations": numpy.arange(-40, 41, 2), "steps": 360}
+        for words in ({}, {"way": (0.3, 0.1, 0), "rotation": (0, 0, 9)}):
+            lidar = relievo.Lidar(**scanner, **words).look_at((2, 1.2, 1.9), (0, 0, 0))
+            image = relievo.flow(relievo.moment(mesh, lidar), mesh, lidar)
+            flow = relievo.layer(image, "flow")
+            seen = numpy.isfinite(flow).all(axis=-1)
+            self.assertGreater(seen.sum(), 100)
+            self.assertLess(numpy.abs(flow[seen]).max(), 1e-7)
+        # Three steps of the turn to the right, for all points.
+        turned = relievo.Lidar(**scanner).look_at((2, 1.2, 1.9), (0, 0, 0), up=(0, 1, 0))
+        before = relievo.moment(mesh, turned)
+        angle = numpy.radians(3)
+        spin = numpy.array([[numpy.cos(angle), -numpy.sin(angle), 0],
+                            [numpy.sin(angle), numpy.cos(angle), 0], [0, 0, 1]])
+        after = turned.copy().pose(spin @ turned.R, spin @ turned.t)
+        flow = relievo.layer(relievo.flow(before, mesh, after), "flow")
+        seen = numpy.isfinite(flow).all(axis=-1)
+        self.assertGreater(seen.sum(), 100)
+        self.assertLess(numpy.abs(flow[seen] - (-3, 0)).max(), 1e-4)
         lidar = relievo.Lidar([0], steps=8)
         moment = relievo.moment(mesh, lidar)
         with self.assertRaisesRegex(ValueError, "no places"):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cameras in the terms of their calibration: K, R, t, lenses, panoramas, scanners."""
 
+import math
 from collections.abc import Sequence
 from typing import Any, Self
 
@@ -295,6 +296,18 @@ class Lidar(CameraModel):
         each step. turn: azimuths, in degrees from x towards y, of the first step and behind the
         last one. offsets: azimuth of each row relative to the step.
     azimuths: instead of steps, the azimuth of each ray: a picture of one row.
+    way, rotation: motion of a spinning sensor during a turn, in its axes at column 0: a straight
+        way in world units, and degrees about an axis as a vector of that length. The pose is that
+        of column 0.
+    min_range, max_range: world units; beams have no return from surfaces that are nearer or
+        farther.
+    divergence: full angle of a beam, degrees, 0 to 90; samples: rays that fill it, 1 to 4096.
+    returns: "first" for the nearest hit of these rays, "last" for the farthest one.
+    noise: standard deviation of normally distributed range errors, world units; they depend on the
+        pixel and on `seed` alone.
+
+    Divergence and noise apply to captures and data sets. visible() and flow() follow the axes of
+    the beams, within the range limits, and need elevations in ascending or descending order.
 
     R, t: the pose; see CameraModel.pose.
 
@@ -304,8 +317,20 @@ class Lidar(CameraModel):
     def __init__(self, elevations: ArrayLike, steps: int | None = None,
                  azimuths: ArrayLike | None = None, turn: Sequence[float] = (180, -180),
                  offsets: ArrayLike | None = None, R: ArrayLike | None = None,
-                 t: ArrayLike | None = None) -> None:
+                 t: ArrayLike | None = None, *, way: ArrayLike = (0, 0, 0),
+                 rotation: ArrayLike = (0, 0, 0), min_range: float = 0,
+                 max_range: float = math.inf, divergence: float = 0, samples: int = 16,
+                 returns: str = "first", noise: float = 0, seed: int = 0) -> None:
         super().__init__(vtkRelievoLidar(), None, R, t)
+        motion = [_numbers(name, each, 3).tolist()
+                  for name, each in (("way", way), ("rotation", rotation))]
+        self._call("way, rotation", self.model.SetMotion, *motion)
+        self._call("min_range, max_range", self.model.SetRangeLimits, min_range, max_range)
+        self._call("divergence, samples", self.model.SetDivergence, divergence, samples)
+        if returns not in ("first", "last"):
+            raise ValueError(f"returns: got {returns!r}, expected 'first' or 'last'")
+        self.model.SetReturn(("first", "last").index(returns))
+        self._call("noise", self.model.SetNoise, noise, seed)
         if (steps is None) == (azimuths is None):
             raise ValueError("Lidar: expected either steps, of a spinning sensor, or azimuths, as "
                              "many as elevations")
