@@ -70,12 +70,23 @@ double FindFarthest(
   }
   return farthest;
 }
+
+std::vector<std::string> GetNames(const dataset::DatasetObjects& objects)
+{
+  std::vector<std::string> names;
+  for (const dataset::DatasetObject& object : objects.Get())
+  {
+    names.push_back(object.Name);
+  }
+  return names;
+}
 }
 
 struct vtkRelievoDatasetWriter::Internals
 {
   vtkSmartPointer<vtkRenderer> Renderer;
   std::string Directory, Description;
+  Json Variation;
   std::vector<vtkSmartPointer<vtkRelievoCameraModel>> Cameras;
   std::vector<std::string> Layers;
   std::map<int, std::string> Names;
@@ -102,9 +113,11 @@ struct vtkRelievoDatasetWriter::Internals
 
   Json ReadRecord(const dataset::DatasetStyle& style, std::size_t view, std::size_t objects) const;
 
-  void Check(const dataset::DatasetFormat& format, double validation) const;
+  void Check(const dataset::DatasetFormat& format, double validation, bool varies) const;
   std::vector<std::string> GetCategories(const std::vector<std::string>& objects) const;
   void CheckIsPinhole() const;
+  static void CheckObjects(
+    const dataset::DatasetObjects& objects, const std::vector<std::string>& names, int view);
   double GetDepthStep(const dataset::DatasetObjects& objects) const;
   void WriteIndex(
     const dataset::DatasetStyle& style, const std::vector<std::string>& objects) const;
@@ -320,7 +333,7 @@ std::string vtkRelievoDatasetWriter::GetDescription()
 
 //------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::Internals::Check(
-  const dataset::DatasetFormat& format, double validation) const
+  const dataset::DatasetFormat& format, double validation, bool varies) const
 {
   const auto refuse = [&format](const std::string& what, bool dataset::DatasetFormat::*has) {
     std::vector<std::string> others;
@@ -373,6 +386,12 @@ void vtkRelievoDatasetWriter::Internals::Check(
     dataset::CheckDatasetCamera(format, this->Cameras[i], this->Cameras[0], view);
     // Flow goes to the previous view; the first view has none and uses itself.
     const bool isGoal = i == 0 || i + 1 < this->Cameras.size();
+    if (flow != this->Layers.end() && varies)
+    {
+      throw words::UsageError("layer " + *flow +
+        ": got a scene that varies between views, expected layers without flow, which leads to "
+        "the previous view of one scene");
+    }
     if (flow != this->Layers.end() && isGoal && !this->Cameras[i]->HasPlaces())
     {
       throw words::UsageError(view + ": layer " + *flow +
@@ -394,6 +413,19 @@ void vtkRelievoDatasetWriter::Internals::CheckIsPinhole() const
         ": volumes that are solid need pinhole cameras: a lens and other sensors trace rays, which "
         "volumes are not in; switch solid of the stage volumes off");
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::Internals::CheckObjects(
+  const dataset::DatasetObjects& objects, const std::vector<std::string>& names, int view)
+{
+  const std::vector<std::string> found = GetNames(objects);
+  if (found != names)
+  {
+    throw words::UsageError("view " + std::to_string(view) + ": got the objects " +
+      words::Join(found, ", ") + ", expected those of view 0, " + words::Join(names, ", ") +
+      ": a scene that varies keeps its visible actors");
   }
 }
 
@@ -528,12 +560,38 @@ int vtkRelievoDatasetWriter::Verify(RELIEVO_TEXT directory)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetVariation(RELIEVO_TEXT json)
+{
+  const std::string text = json;
+  Json described = Json::parse(text, nullptr, false);
+  if (described.is_discarded())
+  {
+    vtkErrorMacro("SetVariation: got '" << text << "', expected JSON.");
+    return;
+  }
+  this->Internal->Variation = std::move(described);
+}
+
+//------------------------------------------------------------------------------
+// Lets observers change the scene for a view.
+void vtkRelievoDatasetWriter::Vary(int view)
+{
+  this->Internal->Variation = nullptr;
+  this->InvokeEvent(vtkCommand::StartEvent, &view);
+  if (this->Abort)
+  {
+    throw words::WorkError(
+      this->Internal->Directory + ": stopped before view " + std::to_string(view));
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::WriteViews()
 {
   Internals& self = *this->Internal;
   const dataset::DatasetFormat& format =
     *dataset::GetDatasetFormats()[static_cast<std::size_t>(this->Format)];
-  self.Check(format, this->Validation);
+  self.Check(format, this->Validation, this->SceneVaries);
   const int views = this->GetNumberOfViews();
   const dataset::WorkPart part{ this->Part, this->NumberOfParts };
   const bool isPart = part.Count > 1;
@@ -554,16 +612,19 @@ void vtkRelievoDatasetWriter::WriteViews()
     throw words::UsageError(range + ", expected views from 0 to " + std::to_string(views) +
       ": there are " + std::to_string(views));
   }
-  const dataset::DatasetObjects objects(self.Renderer, self.Names, this->ObjectsByBlock);
+  const auto takeObjects = [this, &self] {
+    return dataset::DatasetObjects(self.Renderer, self.Names, this->ObjectsByBlock);
+  };
+  if (this->SceneVaries)
+  {
+    this->Vary(0); // so that equal calls have equal settings, whatever the scene was like before
+  }
+  dataset::DatasetObjects objects = takeObjects();
   if (objects.HasVolumes())
   {
     self.CheckIsPinhole();
   }
-  std::vector<std::string> names;
-  for (const dataset::DatasetObject& object : objects.Get())
-  {
-    names.push_back(object.Name);
-  }
+  const std::vector<std::string> names = GetNames(objects);
   dataset::DatasetStyle style;
   style.Folder = self.Directory;
   style.Format = &format;
@@ -591,6 +652,10 @@ void vtkRelievoDatasetWriter::WriteViews()
     { "mm_per_unit", this->MillimetersPerUnit }, { "random_sun", this->RandomSun },
     { "seed", this->Seed }, { "up_axis", std::string(1, "xyz"[this->UpAxis]) },
     { "scene", self.Description } };
+  if (this->SceneVaries)
+  {
+    described["scene_varies"] = true;
+  }
   if (std::string(format.Name) == "webdataset")
   {
     described["shard_size"] = this->ShardSize;
@@ -624,6 +689,16 @@ void vtkRelievoDatasetWriter::WriteViews()
     else
     {
       Json record = { { "view", i }, { "camera", dataset::DescribeDatasetCamera(camera) } };
+      if (this->SceneVaries)
+      {
+        this->Vary(i);
+        objects = takeObjects();
+        self.CheckObjects(objects, names, i);
+        if (!self.Variation.is_null())
+        {
+          record["variation"] = self.Variation;
+        }
+      }
       std::optional<std::array<double, 3>> sun;
       if (this->RandomSun)
       {
@@ -681,6 +756,7 @@ void vtkRelievoDatasetWriter::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "Category: " << category << " of " << pattern << "\n";
   }
+  os << indent << "SceneVaries: " << this->SceneVaries << "\n";
   os << indent << "ObjectsByBlock: " << this->ObjectsByBlock << "\n";
   this->Parameters.Print(os, indent);
   os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";

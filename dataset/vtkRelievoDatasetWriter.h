@@ -211,6 +211,20 @@ public:
   vtkRelievoParametersMacro();
   ///@}
 
+  ///@{
+  /**
+   * Whether the scene differs between views; default off. Each view then begins with a StartEvent,
+   * whose data is the view's number (int). An observer changes the scene as a function of this
+   * number alone, because views are drawn in any order and again after an interruption, and may
+   * describe the view in JSON, for its record. Actors may move and change, but not appear or vanish.
+   * Layers of flow are refused.
+   */
+  vtkSetMacro(SceneVaries, bool);
+  vtkGetMacro(SceneVaries, bool);
+  vtkBooleanMacro(SceneVaries, bool);
+  void SetVariation(RELIEVO_TEXT json);
+  ///@}
+
   /** Writes the missing views. */
   bool Write();
 
@@ -254,6 +268,7 @@ private:
 
   bool Try(const std::function<void()>& work);
   void WriteViews();
+  void Vary(int view);
 
   vtkRelievoParameterList Parameters;
   int Format = BOP;
@@ -263,6 +278,7 @@ private:
   double Validation = 0.0;
   double ShardSize = 256.0;
   bool RandomSun = false;
+  bool SceneVaries = false;
   int Seed = 0;
   int UpAxis = 1;
   int Range[2] = { 0, -1 };

@@ -132,6 +132,7 @@ from ._sight.cameras import (
     lens,
 )
 from ._sight.rays import rays
+from ._sight.scatter import scatter
 from ._sight.sight import cover, flow, moment, sun_exposure, view_factors, visible
 
 globals().update(_functions())  # lamps, fog, markers: each stage that draws points
@@ -179,6 +180,7 @@ __all__ = [
     "read_exr",
     "report",
     "scale_bar",
+    "scatter",
     "scene",
     "screenshot",
     "show",

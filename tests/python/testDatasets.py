@@ -760,6 +760,63 @@ class Datasets(unittest.TestCase):
         relievo.write_dataset(renderer, directory=self.folder / "seed", seed=1, **words)
         self.assertFalse(same(whole / "depth", self.folder / "seed" / "depth"))
 
+    def test_scenes_that_vary(self):
+        """Each view has its own scene, by its number alone: also in parts and after an end."""
+        renderer = heap()
+        actors = [renderer.GetActors().GetItemAsObject(i) for i in range(4)]
+        words = {"cameras": "random:4,nearest=0.8", "size": (40, 30), "seed": 3, "format": "npz"}
+
+        def vary(view, random):
+            place = random.uniform(-0.4, 0.4, 3)
+            actors[1].SetPosition(place)
+            shade = random.uniform()
+            actors[2].GetProperty().SetColor(shade, 0.5, 0.5)
+            return {"place": place, "shade": shade, "view": view}
+
+        whole, parts, broken = (self.folder / name for name in ("whole", "parts", "broken"))
+        self.assertEqual(relievo.write_dataset(renderer, directory=whole, vary=vary, **words), 4)
+        places = []
+        for view in range(4):
+            record = read_json(whole / "views" / f"{view:06d}.json")["variation"]
+            self.assertEqual(record["view"], view)
+            random = numpy.random.default_rng((3, view))
+            numpy.testing.assert_array_equal(record["place"], random.uniform(-0.4, 0.4, 3))
+            found = numpy.load(whole / f"{view:06d}.npz")
+            numpy.testing.assert_allclose(found["object_to_world"][1][:3, 3], record["place"],
+                                          rtol=1e-12)
+            places.append(record["place"])
+            # Where rays see the ball at this place.
+            vary(view, numpy.random.default_rng((3, view)))
+            camera = relievo.Pinhole(found["K"], (40, 30), found["R"], found["t"])
+            seen = relievo.layer(relievo.capture(renderer, "actor", camera=camera), "actor")
+            self.assertLess((found["object"] - 1 != seen).mean(), 0.01)
+            self.assertTrue((seen == 1).any())
+        self.assertEqual(numpy.unique(places, axis=0).shape, (4, 3))
+        for views in ((2, 4), (0, 2)):
+            relievo.write_dataset(renderer, directory=parts, views=views, vary=vary, **words)
+        self.assertTrue(same(whole, parts))
+        with self.assertRaisesRegex(RuntimeError, "ended by progress at 50%"):
+            relievo.write_dataset(renderer, directory=broken, vary=vary,
+                                  progress=lambda share: share < 0.3, **words)  # fmt: skip
+        self.assertEqual(relievo.write_dataset(renderer, directory=broken, vary=vary, **words), 2)
+        self.assertTrue(same(whole, broken))
+
+        def fail(view, _random):
+            if view == 1:
+                raise KeyError("mine")
+
+        for kind, words, call, more in (
+            (ValueError, "vary: got 3", 3, {}),
+            (KeyError, "mine", fail, {}),
+            (TypeError, "vary: got", lambda *_: {"actor": actors[0]}, {}),
+            (ValueError, "view 1: got the objects actor_0, actor_2",
+             lambda view, _: actors[1].SetVisibility(view != 1), {}),
+            (ValueError, "layer flow: got a scene that varies", vary, {"layers": ["flow"]}),
+        ):  # fmt: skip
+            with self.subTest(words=words), self.assertRaisesRegex(kind, words):
+                relievo.write_dataset(renderer, "random:2", self.folder / words.replace(" ", ""),
+                                      "npz", size=(40, 30), vary=call, **more)  # fmt: skip
+
     def test_refusals(self):
         renderer = heap()
         camera = around()[0]

@@ -664,6 +664,106 @@ class FromRays(unittest.TestCase):
                     watch.raise_as(ValueError, "rays")
 
 
+def solid(points, cells, scale=1.0):
+    """An actor of a mesh of its own."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(mesh_of(points, cells))
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.SetScale(scale)
+    return actor
+
+
+def brick(x, y, z, lean=0.0):
+    """A box of these half sizes whose upper face is moved along x."""
+    corners = vtk_to_numpy(box((0, 0, 0), 1).GetPoints().GetData()) * (x, y, z)
+    corners[:, 0] += lean * (corners[:, 2] > 0)
+    return corners, [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2),
+                     (1, 3, 7, 5)]
+
+
+def are_apart(a, axes_a, b, axes_b):
+    """Whether a plane separates the corners of two boxes: the theorem of separating axes."""
+    lines = [*axes_a, *axes_b, *(numpy.cross(p, q) for p in axes_a for q in axes_b)]
+    spans = [(a @ line, b @ line) for line in lines if numpy.linalg.norm(line) > 1e-9]
+    return any(p.max() < q.min() or q.max() < p.min() for p, q in spans)
+
+
+class Scatter(unittest.TestCase):
+    """scatter(): bodies rest, within the area, and apart."""
+
+    @staticmethod
+    def placed(actor, points):
+        matrix = actor.GetMatrix()
+        matrix = numpy.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+        return points @ matrix[:3, :3].T + matrix[:3, 3]
+
+    def test_bodies_rest(self):
+        half = (0.3, 0.35, 0.4)
+        tetrahedron = numpy.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)]) / 4
+        leaning = brick(0.1, 0.1, 0.4, lean=0.9)
+        for up, axis in (("y", 1), ("z", 2), ("x", 0)):
+            heights = []
+            for seed in range(20):
+                body = solid(*brick(*half), scale=2)
+                relievo.scatter([body], seed, ((-4, 4), (-4, 4)), up=up, height=1.5)
+                z = self.placed(body, brick(*half)[0])[:, axis]
+                self.assertAlmostEqual(z.min(), 1.5, 12)
+                heights.append(z.mean() - 1.5)
+                self.assertLess(numpy.abs(2 * numpy.array(half) - heights[-1]).min(), 1e-9)
+            self.assertEqual(len({round(each, 6) for each in heights}), 3, heights)
+        for seed in range(20):
+            body = solid(tetrahedron, [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)])
+            relievo.scatter([body], seed, ((-4, 4), (-4, 4)))
+            z = self.placed(body, tetrahedron)[:, 1]
+            self.assertAlmostEqual(z.mean(), 1 / (4 * 3**0.5), 9)
+            # It never stands on a narrow face, because its centre is not over that.
+            body = solid(*leaning)
+            relievo.scatter([body], seed, ((-4, 4), (-4, 4)))
+            z = self.placed(body, leaning[0])[:, 1]
+            low = z < z.min() + 1e-9
+            self.assertEqual(low.sum(), 4)
+            self.assertNotIn(set(numpy.flatnonzero(low)), ({0, 1, 2, 3}, {4, 5, 6, 7}))
+
+    def test_bodies_are_apart(self):
+        random = numpy.random.default_rng(11)
+        bricks = [brick(*random.uniform(0.05, 0.3, 3)) for _ in range(12)]
+        actors = [solid(*each) for each in bricks]
+        area = ((-1, 1.2), (2, 3.4))
+        places = relievo.scatter(actors, 4, area, tries=2000)
+        corners = [self.placed(*each) for each in zip(actors, (points for points, _ in bricks))]
+        axes = [place[:3, :3].T for place in places]
+        for i in range(12):
+            for k, (low, high) in zip((0, 2), area):
+                self.assertGreaterEqual(corners[i][:, k].min(), low - 1e-12)
+                self.assertLessEqual(corners[i][:, k].max(), high + 1e-12)
+            for j in range(i):
+                self.assertTrue(are_apart(corners[i], axes[i], corners[j], axes[j]), (i, j))
+        numpy.testing.assert_array_equal(relievo.scatter(actors, 4, area, tries=2000), places)
+        # A body within another one, and a plane across the area, leave no place.
+        large = solid(*brick(9, 9, 9))
+        wall = solid([(-9, 0.1, -9), (9, 0.1, -9), (9, 0.1, 9), (-9, 0.1, 9)], [(0, 1, 2, 3)])
+        small = solid(*brick(0.1, 0.2, 0.3))
+        for fixed in (large, wall):
+            with self.assertRaisesRegex(RuntimeError, "0 of 1 bodies found a place in 9 tries"):
+                relievo.scatter([small], 1, area, fixed=[fixed], tries=9)
+        self.assertIsNone(small.GetUserMatrix())
+
+    def test_refused(self):
+        body = solid(*brick(1, 1, 1))
+        for words, call in (
+            ("up: got", lambda: relievo.scatter([body], 1, ((0, 9), (0, 9)), up="w")),
+            ("area: got", lambda: relievo.scatter([body], 1, ((0, 9), (9, 0)))),
+            ("area, random: got", lambda: relievo.scatter([body], "a", ((0, 9), (0, 9)))),
+            ("actors: got", lambda: relievo.scatter([3], 1, ((0, 9), (0, 9)))),
+            ("actors: got", lambda: relievo.scatter([vtkActor()], 1, ((0, 9), (0, 9)))),
+        ):
+            with self.assertRaisesRegex(ValueError, words):
+                call()
+        with self.assertRaisesRegex(RuntimeError, "larger area"):
+            relievo.scatter([body], 1, ((0, 1), (0, 1)))
+
+
 class ViewFactors(unittest.TestCase):
     """view_factors(): closed forms (J. R. Howell, A Catalog of Radiation Heat Transfer
     Configuration Factors), sums and reciprocity."""

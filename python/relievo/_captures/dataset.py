@@ -3,8 +3,11 @@
 """Data sets for training and evaluation: pictures, depth, masks, boxes, poses."""
 
 import inspect
+import json
 import os
 from contextlib import nullcontext
+
+import numpy
 
 from .._arguments.errors import Watch, describe, is_a
 from .._arguments.parameters import (
@@ -21,7 +24,7 @@ from .._sight.cameras import CameraModel, sensor_of
 from .._sight.cameras import lens as lens_of
 from .._wrapped import vtkRelievoDatasetWriter, vtkRelievoScene
 from ..vtk.util.misc import calldata_type
-from ..vtk.util.vtkConstants import VTK_DOUBLE
+from ..vtk.util.vtkConstants import VTK_DOUBLE, VTK_INT
 from ..vtkRelievoCameras import vtkRelievoCalibration
 from .capture import _frame_of, _names, _pixels
 
@@ -34,7 +37,7 @@ _ORDER = ("renderer", "cameras", "directory", "format", "layers", "size", "objec
           "categories")
 _OTHERS = {
     **dict.fromkeys(("renderer", "cameras", "directory"), inspect.Parameter.empty),
-    **dict.fromkeys(("size", "views", "progress", "lens", "categories")),
+    **dict.fromkeys(("size", "views", "progress", "lens", "categories", "vary")),
     "layers": (), "objects": "actor", "description": "",
 }  # fmt: skip
 _ALL = {**_OTHERS, **defaults_of(vtkRelievoDatasetWriter(), _OF_WRITER), "depth_step": None}
@@ -66,11 +69,14 @@ def write_dataset(*arguments, **given):
     _name_objects(writer, made, given["objects"])
     _name_categories(writer, given["categories"])
     size = given["size"]
+    ended = []
+    if given["vary"] is not None:
+        _vary(writer, given["vary"], given["seed"], ended)
     _add_views(writer, given["cameras"], None if size is None else _pixels(size), given["lens"])
     found = kept(made)
     held = nullcontext() if found is None else found.held()
     with held, _frame_of(made):
-        _run(writer, writer.Write, given["progress"])
+        _run(writer, writer.Write, given["progress"], ended)
     return writer.GetNumberOfViewsWritten()
 
 
@@ -94,6 +100,11 @@ objects: the kind of objects: "actor", "block" (of composite data), or a list of
     each of renderer.GetActors(): actors with equal names are one object; actors named None only
     occlude others.
 {describe_all(vtkRelievoDatasetWriter(), _OF_WRITER)}
+vary: a function of the view's number and a numpy.random.Generator, seeded with `seed` and this
+    number. It changes the scene before the view is drawn, and returns what the record of the view
+    shall hold as "variation": a dictionary, or None. It must set all that it changes, because views
+    are not drawn in order after an interruption, and keep the visible actors. The scene stays as
+    it was for the last view. Layers of flow are refused.
 views: (first, end) of the views to draw in this call; None for all.
 description: a text about the data set; a folder begun with another description is refused.
 progress: called with the share done after each view; if it returns False, the call ends with a
@@ -109,9 +120,40 @@ read, RuntimeError if drawing fails.
 """
 
 
-def _run(writer, work, progress=None):
-    """Runs `work`, and raises the writer's errors or those of `progress`."""
-    ended = []
+def _vary(writer, vary, seed, ended):
+    """Calls `vary` for each view, and now for the first one, which cameras are placed around."""
+    if not callable(vary):
+        raise ValueError(f"vary: got {describe(vary)}, expected a function of the view's number "
+                         "and a numpy.random.Generator")
+
+    def call(view):
+        chosen = vary(view, numpy.random.default_rng((seed % (1 << 32), view)))
+        return json.dumps(chosen, default=_plain)
+
+    @calldata_type(VTK_INT)
+    def begin(_writer, _event, view):
+        try:
+            writer.SetVariation(call(view))
+        except BaseException as error:  # also interrupts: VTK would swallow them
+            ended.append(error)
+            writer.SetAbort()
+
+    call(0)
+    writer.SceneVariesOn()
+    writer.AddObserver("StartEvent", begin)
+
+
+def _plain(value):
+    """numpy's values as JSON."""
+    if isinstance(value, (numpy.ndarray, numpy.generic)):
+        return value.tolist()
+    raise TypeError(f"vary: got {describe(value)} in its result, expected numbers, texts, lists, "
+                    "dictionaries and numpy's arrays")
+
+
+def _run(writer, work, progress=None, ended=None):
+    """Runs `work`, and raises the writer's errors, those of `progress`, or the first of `ended`."""
+    ended = [] if ended is None else ended
 
     @calldata_type(VTK_DOUBLE)
     def report(_writer, _event, share):
