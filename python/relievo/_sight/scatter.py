@@ -51,7 +51,8 @@ class _Body:
         corners = vtk_to_numpy(self.mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
         self.corners = numpy.reshape(numbers, -1)[corners]
         sides = self.corners[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
-        self.edges = numpy.unique(numpy.sort(sides, axis=1), axis=0)
+        edges = numpy.unique(numpy.sort(sides, axis=1), axis=0)
+        self.edges = edges[edges[:, 0] < edges[:, 1]]  # triangles may have a corner twice
         twins = numpy.concatenate([sides, sides[:, ::-1]])
         self.is_closed = len(numpy.unique(twins, axis=0)) == len(numpy.unique(sides, axis=0))
         self.center = self._find_center()
