@@ -95,7 +95,7 @@ public:
   void GetRays(vtkDoubleArray* places, vtkDoubleArray* origins, vtkDoubleArray* directions);
   ///@}
 
-  /** The distances, along a ray, between which the sensor reports surfaces; default 0 to infinity. */
+  /** The distances along a ray between which the sensor reports surfaces; default 0, infinity. */
   virtual void GetRangeLimits(double limits[2]);
 
   /**

@@ -47,8 +47,8 @@ public:
 
   /**
    * The sensor's motion during one turn, in its axes at column 0: a straight way of `way` world
-   * units, and a rotation about `turn` by its length in degrees, both at constant speed. The pose is
-   * that of column 0. Sensors that do not spin ignore it. Default 0.
+   * units, and a rotation about `turn` by its length in degrees, both at constant speed. The pose
+   * is that of column 0. Sensors that do not spin ignore it. Default 0.
    */
   void SetMotion(const double way[3], const double turn[3]);
 

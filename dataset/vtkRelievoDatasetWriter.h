@@ -216,8 +216,8 @@ public:
    * Whether the scene differs between views; default off. Each view then begins with a StartEvent,
    * whose data is the view's number (int). An observer changes the scene as a function of this
    * number alone, because views are drawn in any order and again after an interruption, and may
-   * describe the view in JSON, for its record. Actors may move and change, but not appear or vanish.
-   * Layers of flow are refused.
+   * describe the view in JSON, for its record. Actors may move and change, but not appear or
+   * vanish. Layers of flow are refused.
    */
   vtkSetMacro(SceneVaries, bool);
   vtkGetMacro(SceneVaries, bool);

@@ -316,7 +316,8 @@ class Seen(unittest.TestCase):
             position = relievo.layer(image, "position")
             numpy.testing.assert_allclose(position[0, :, 0], expected, rtol=1e-6)
             numpy.testing.assert_allclose(  # of the ray that returned
-                relievo.layer(image, "range")[0], numpy.linalg.norm(position[0], axis=-1), rtol=1e-6)
+                relievo.layer(image, "range")[0], numpy.linalg.norm(position[0], axis=-1),
+                rtol=1e-6)
             away = numpy.degrees(numpy.arccos((sensor.rays()[1][0] * position[0]).sum(axis=-1)
                                               / numpy.linalg.norm(position[0], axis=-1)))
             self.assertLessEqual(away.max(), 1 + 1e-6)

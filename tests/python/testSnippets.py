@@ -162,7 +162,8 @@ class Hand:
             K = numpy.array([[80.0, 0, 79.5], [0, 80, 59.5], [0, 0, 1]])
             sensor = relievo.Pinhole(K, (160, 120)).look_at((0, 1, 5), (0, 0, 0))
             names.update(
-                numpy=numpy, K=K, R=sensor.R, t=sensor.t, D=(0.01, 0), point=(0, 0, 0), points=numpy.eye(3),
+                numpy=numpy, K=K, R=sensor.R, t=sensor.t, D=(0.01, 0), point=(0, 0, 0),
+                points=numpy.eye(3),
                 sensors=[sensor], terrain=points(), town=names["model"], site=names["model"],
                 roofs=names["model"], masts=3 * numpy.eye(3))
             names["sensor"] = names.get("sensor", sensor)
