@@ -10,6 +10,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
+#include "vtkRelievoFillLight.h"
 #include "vtkRelievoFramePass.h"
 #include "vtkRelievoNullLight.h"
 #include "vtkRenderer.h"
@@ -67,6 +68,10 @@ void AddLights(
     }
     light->SetColor(choice.Color[0], choice.Color[1], choice.Color[2]);
     light->SetIntensity(choice.IsNight() ? 0.0 : choice.Intensity);
+    if (choice.Fills)
+    {
+      vtkRelievoFillLight::Make(light);
+    }
     renderer->AddLight(light);
     if (choice.IsNight())
     {

@@ -41,23 +41,22 @@ const std::vector<Preset>& GetPresets()
 {
   static const std::vector<Preset> presets = {
     // A large lamp at the left in front of a light wall.
-    { "studio", { -0.65, 0.9, 0.6 }, { 0.66, 0.65, 0.63 }, 6.0, { 0.30, 0.31, 0.33 },
+    { "studio", { -0.65, 0.9, 0.6 }, { 0.34, 0.33, 0.315 }, 6.0, { 0.60, 0.61, 0.625 },
       { { 0.80, 0.82, 0.85 }, { 0.95, 0.96, 0.97 } }, Preset::Indoors },
     // An afternoon sun, and the sky, which is bluer.
-    { "town", { -0.75, 0.6, 0.45 }, { 0.76, 0.68, 0.54 }, 0.53, { 0.27, 0.30, 0.36 },
+    { "town", { -0.75, 0.6, 0.45 }, { 0.365, 0.325, 0.255 }, 0.53, { 0.565, 0.605, 0.665 },
       { { 0.86, 0.90, 0.94 }, { 0.45, 0.64, 0.87 } }, Preset::Outdoors },
     // On white paper, without shadows.
-    { "print", { -0.4, 0.6, 1.0 }, { 0.65, 0.65, 0.65 }, -1.0, { 0.32, 0.32, 0.32 },
+    { "print", { -0.4, 0.6, 1.0 }, { 0.33, 0.33, 0.33 }, -1.0, { 0.61, 0.61, 0.61 },
       { { 1.0, 1.0, 1.0 } }, Preset::Always },
   };
   return presets;
 }
 
-// Directions of weak suns that fill the first light's shadows, so that no side is black from any
-// camera: at least a fifth of the light arrives everywhere. The last one is weaker.
-constexpr std::array<double, 3> Fills[] = { { 1.0, 0.2, 0.3 }, { -0.5, 0.2, -1.0 },
-  { 0.0, -1.0, 0.1 }, { -0.6, 0.6, 0.8 } };
-constexpr double LastFill = 0.8;
+// Directions of the fill lights, the corners of a regular tetrahedron: as nine coefficients their
+// light is the same on all sides, and VTK's own lights are nearly so.
+constexpr std::array<double, 3> Fills[] = { { 1.0, 1.0, 1.0 }, { 1.0, -1.0, -1.0 },
+  { -1.0, 1.0, -1.0 }, { -1.0, -1.0, 1.0 } };
 
 // Samples of soft shadows and of antialiasing.
 constexpr int Samples = 24;
@@ -88,7 +87,7 @@ LightChoice MakeSun(const std::array<double, 3>& towards, const Color& color, co
 
 // Lights given by --light replace the first one, and the fill is weaker: a white surface in one of
 // them is then not brighter than white.
-constexpr double ShareOfOthers = 0.8;
+constexpr double ShareOfOthers = 0.75;
 constexpr double ShareOfFill = 0.4;
 
 void AddSuns(RenderOptions& options, const Preset& preset, bool others)
@@ -115,8 +114,8 @@ void AddSuns(RenderOptions& options, const Preset& preset, bool others)
   for (const std::array<double, 3>& towards : Fills)
   {
     options.Lights.push_back(MakeSun(towards, preset.Fill, "fill"));
-    options.Lights.back().Intensity =
-      *options.Fill * (&towards == std::end(Fills) - 1 ? LastFill : 1.0);
+    options.Lights.back().Intensity = *options.Fill;
+    options.Lights.back().Fills = true;
   }
 }
 
@@ -295,6 +294,14 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   if (lights)
   {
     options.Look.IsReadable = options.ShadingKind != Shading::PBR;
+    const auto is = [&options](const char* name) {
+      return std::any_of(options.Stages.begin(), options.Stages.end(),
+        [name](const StageChoice& stage) { return stage.Name == name; });
+    };
+    if (is("ambient") && !is("fill")) // which darkens these lights, too
+    {
+      AddStage(options.Stages, "fill", "--preset").Parameters.emplace_back("occlusion", "0");
+    }
     AddMoon(options, *preset);
     AddSuns(options, *preset, given.count("--light") > 0);
     if (preset->Angle >= 0.0)

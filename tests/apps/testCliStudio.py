@@ -93,8 +93,10 @@ class Studio(CliTest):
             self.assertIn(word, done.stderr)
 
     def test_no_side_is_black_or_burnt(self):
+        """The darkest side has at least 0.35 of the lightest one's light, and none is white."""
         self.sphere("ball.obj")
         for preset in ("studio", "town", "print"):
+            lights = []
             for x, y, z in SIDES:
                 words = ["ball.obj", "--camera", f"{9 * x},{9 * y},{9 * z},0,0,0,0,1,0",
                          "--preset", preset, "--up", "y", "--ground", "off",
@@ -104,8 +106,26 @@ class Studio(CliTest):
                 light = picture.max(axis=-1)[inner]
                 with self.subTest(preset=preset, side=(x, y, z)):
                     self.assertGreater(inner.sum(), 700)
-                    self.assertGreater(light.min(), 40)
                     self.assertLess(light.max(), 255)
+                shares = ((picture[inner] / 255 + 0.055) / 1.055) ** 2.4
+                lights.append(shares @ (0.2126, 0.7152, 0.0722))
+            lights = numpy.concatenate(lights)
+            self.assertGreater(lights.min(), 0.35 * lights.max(), preset)
+
+    def test_contact(self):
+        """The foot of a pole is darker than its top, on the side that the first light misses; not
+        where the fill's occlusion is off."""
+        self.box("pole.obj", (-0.5, 0, -0.5), (0.5, 5, 0.5))
+        shades = []
+        for words in ([], ["--stage", "fill:occlusion=0"]):
+            picture = self.picture(
+                "pole.obj", "--camera", "20,2.5,0,0,2.5,0,0,1,0", "--parallel-scale", 3, "--up", "y",
+                "--light", "sun:-1,0.5,0", "--fill", 1, "--shadows", "off", *words)  # fmt: skip
+            column = picture[:, 120].mean(axis=-1)  # 30 pixels a unit, the top at row 15
+            shades.append((column[158:163].mean(), column[30:60].mean()))
+        (foot, top), (foot_off, top_off) = shades
+        self.assertLess(foot, top - 8)
+        self.assertLess(abs(foot_off - top_off), 2)
 
     def test_values_are_readable(self):
         """Light leaves the hue of values' colours and 0.7 of their lightness, from all sides."""

@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// vtkRelievoFillStage: a sphere against the closed form of its lights' nine coefficients, without
+// edges; ambient occlusion on walls, on a ball above the ground and on a convex body; other lights
+// as VTK draws them.
+#include "Check.h"
+#include "GLCheck.h"
+#include "Session.h"
+#include "TestCase.h"
+#include "Window.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRelievoFillLight.h>
+#include <vtkRelievoFillStage.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowCatcher.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace testFillStage
+{
+namespace
+{
+constexpr int Size = 200;
+
+// Seen from +z by parallel rays, 2 units high.
+struct Scene
+{
+  vtkNew<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkRelievoPass* Frame = nullptr;
+  vtkRelievoFillStage* Stage = nullptr;
+
+  explicit Scene(double occlusion)
+  {
+    this->Window = relievoTest::MakeWindow(Size, Size, this->Renderer);
+    this->Frame = vtkRelievoPass::Attach(this->Renderer);
+    this->Stage = vtkRelievoFillStage::SafeDownCast(this->Frame->GetStage("fill"));
+    this->Stage->SetOcclusion(occlusion);
+    this->Look({ 0.0, 0.0, 5.0 }, { 0.0, 1.0, 0.0 });
+  }
+
+  void Look(const glm::dvec3& from, const glm::dvec3& up)
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(1.0);
+    camera->SetPosition(from.x, from.y, from.z);
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetViewUp(up.x, up.y, up.z);
+    camera->SetClippingRange(1.0, 9.0);
+  }
+
+  void AddLight(const glm::dvec3& towards, double intensity, bool fills)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(towards.x, towards.y, towards.z);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    light->SetIntensity(intensity);
+    if (fills)
+    {
+      vtkRelievoFillLight::Make(light);
+    }
+    this->Renderer->AddLight(light);
+  }
+
+  // As in the presets: the corners of a regular tetrahedron.
+  void AddAround(double intensity)
+  {
+    for (const glm::dvec3& towards : { glm::dvec3(1.0, 1.0, 1.0), glm::dvec3(1.0, -1.0, -1.0),
+           glm::dvec3(-1.0, 1.0, -1.0), glm::dvec3(-1.0, -1.0, 1.0) })
+    {
+      this->AddLight(towards, intensity, true);
+    }
+  }
+
+  vtkActor* Add(vtkAlgorithm* source)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetInterpolationToPhong();
+    this->Renderer->AddActor(actor);
+    return actor;
+  }
+
+  vtkActor* AddBall(double radius = 0.9)
+  {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(radius);
+    ball->SetThetaResolution(200);
+    ball->SetPhiResolution(200);
+    return this->Add(ball);
+  }
+
+  vtkActor* AddPlate(const glm::dvec3& origin, const glm::dvec3& first, const glm::dvec3& second)
+  {
+    vtkNew<vtkPlaneSource> plate;
+    plate->SetOrigin(origin.x, origin.y, origin.z);
+    plate->SetPoint1(first.x, first.y, first.z);
+    plate->SetPoint2(second.x, second.y, second.z);
+    return this->Add(plate);
+  }
+
+  vtkSmartPointer<vtkImageData> Picture() { return relievoTest::Picture(this->Window); }
+};
+
+double GetGreen(vtkImageData* picture, int x, int y)
+{
+  return static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0))[1] / 255.0;
+}
+
+// A ball's normal at a pixel; zero outside of it and at its rim.
+glm::dvec3 GetNormal(int x, int y)
+{
+  const double nx = ((x + 0.5) / Size * 2.0 - 1.0) / 0.9;
+  const double ny = ((y + 0.5) / Size * 2.0 - 1.0) / 0.9;
+  const double rest = 1.0 - nx * nx - ny * ny;
+  return rest > 0.02 ? glm::dvec3(nx, ny, std::sqrt(rest)) : glm::dvec3(0.0);
+}
+
+// The irradiance of a distant light up to harmonics of l = 2, at the cosine t: by Legendre's
+// polynomials, from the factors pi, 2 pi / 3 and pi / 4 of a clamped cosine.
+double GetLobe(double t)
+{
+  return 0.25 + 0.5 * t + 5.0 / 16.0 * 0.5 * (3.0 * t * t - 1.0);
+}
+
+void TestClosedForm()
+{
+  Scene scene(0.0);
+  relievoTest::GLCheck gl(scene.Window);
+  scene.AddBall();
+  const glm::dvec3 first = glm::normalize(glm::dvec3(-0.6, 0.5, 0.7));
+  const glm::dvec3 second = glm::normalize(glm::dvec3(0.9, -0.3, 0.1));
+  const glm::dvec3 key = glm::normalize(glm::dvec3(0.2, 0.9, 0.4));
+  scene.AddLight(first, 0.5, true);
+  scene.AddLight(key, 0.3, false);
+  scene.AddLight(second, 0.4, true);
+  vtkSmartPointer<vtkImageData> picture = scene.Picture();
+  double worst = 0.0;
+  int pixels = 0;
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < Size; ++x)
+    {
+      const glm::dvec3 n = GetNormal(x, y);
+      if (n != glm::dvec3(0.0))
+      {
+        const double fill =
+          0.5 * GetLobe(glm::dot(n, first)) + 0.4 * GetLobe(glm::dot(n, second));
+        const double expected =
+          std::max(0.0, fill) + 0.3 * std::max(0.0, glm::dot(n, key));
+        worst = std::max(worst, std::abs(GetGreen(picture, x, y) - expected));
+        ++pixels;
+      }
+    }
+  }
+  RELIEVO_CHECK(pixels > 20000);
+  RELIEVO_CHECK_NEAR(worst, 0.0, 0.012, "a ball in the light of two fill lights and another");
+  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "ran");
+
+  // Off, they are VTK's lights.
+  scene.Stage->EnabledOff();
+  vtkSmartPointer<vtkImageData> off = scene.Picture();
+  vtkRelievoPass::Detach(scene.Renderer);
+  vtkSmartPointer<vtkImageData> plain = scene.Picture();
+  RELIEVO_CHECK(std::memcmp(off->GetScalarPointer(), plain->GetScalarPointer(),
+                  3 * static_cast<std::size_t>(plain->GetNumberOfPoints())) == 0);
+  gl.Poll("end of the closed form");
+}
+
+// The largest kink along the picture's middle row: the second difference over steps of 10 pixels.
+double FindKink(vtkImageData* picture)
+{
+  double worst = 0.0;
+  for (int x = 30; x < Size - 30; ++x)
+  {
+    worst = std::max(worst, std::abs(GetGreen(picture, x - 10, 100) -
+        2.0 * GetGreen(picture, x, 100) + GetGreen(picture, x + 10, 100)));
+  }
+  return worst;
+}
+
+void TestSeams()
+{
+  Scene scene(0.0);
+  scene.AddBall();
+  scene.AddAround(0.6);
+  vtkSmartPointer<vtkImageData> picture = scene.Picture();
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < Size; ++x)
+    {
+      if (GetNormal(x, y) != glm::dvec3(0.0))
+      {
+        RELIEVO_CHECK_NEAR(GetGreen(picture, x, y), 0.6, 0.003, "a ball in even light");
+      }
+    }
+  }
+  RELIEVO_CHECK(FindKink(picture) < 0.006);
+  scene.Stage->EnabledOff(); // the measure finds the edges of VTK's lights
+  RELIEVO_CHECK(FindKink(scene.Picture()) > 0.02);
+}
+
+// The mean in a square of 9 x 9 pixels.
+double GetMean(vtkImageData* picture, int x, int y)
+{
+  double sum = 0.0;
+  for (int j = -4; j <= 4; ++j)
+  {
+    for (int i = -4; i <= 4; ++i)
+    {
+      sum += GetGreen(picture, x + i, y + j);
+    }
+  }
+  return sum / 81.0;
+}
+
+void TestOcclusion()
+{
+  // Convex bodies see all of their surroundings.
+  Scene ball(1.0);
+  ball.AddBall();
+  ball.AddAround(0.6);
+  vtkSmartPointer<vtkImageData> picture = ball.Picture();
+  for (const int x : { 20, 60, 100, 140, 180 })
+  {
+    RELIEVO_CHECK_NEAR(GetMean(picture, x, 100), 0.6, 0.03, "on a ball");
+  }
+
+  // A floor at a wall of the same width: next to the wall it sees half the sky.
+  Scene corner(1.0);
+  corner.AddPlate({ -1.0, -1.0, 0.0 }, { 1.0, -1.0, 0.0 }, { -1.0, 1.0, 0.0 });
+  vtkActor* wall = corner.AddPlate({ -0.9, -4.0, 0.0 }, { -0.9, 4.0, 0.0 }, { -0.9, -4.0, 4.0 });
+  corner.AddAround(0.6);
+  const double at = corner.Picture() ? GetMean(corner.Picture(), 16, 100) : 0.0;
+  RELIEVO_CHECK_NEAR(at, 0.6 * std::sqrt(0.5), 0.05, "at the foot of a wall");
+  const double far = GetMean(corner.Picture(), 190, 100);
+  RELIEVO_CHECK(far > at + 0.05);
+  // Another light is not darkened.
+  const auto bright = corner.Picture();
+  corner.AddLight({ 0.0, 0.0, 1.0 }, 0.3, false);
+  const auto lit = corner.Picture();
+  RELIEVO_CHECK_NEAR(GetMean(lit, 16, 100) - GetMean(bright, 16, 100), 0.3, 0.01, "by a key light");
+  // The grid follows the scene.
+  wall->VisibilityOff();
+  RELIEVO_CHECK_NEAR(GetMean(corner.Picture(), 16, 100), 0.9, 0.02, "without the wall");
+  RELIEVO_CHECK(corner.Stage->GetBytesHeld() > 0);
+  corner.Frame->ReleaseGraphicsResources(corner.Window);
+  RELIEVO_CHECK(corner.Stage->GetBytesHeld() == 0);
+}
+
+// Near the ground a ball gets less light from below than without a ground.
+void TestGround()
+{
+  std::vector<double> foot;
+  for (const bool hasGround : { false, true })
+  {
+    Scene scene(1.0);
+    scene.Look({ 0.0, -5.0, 0.0 }, { 0.0, 0.0, 1.0 });
+    scene.AddBall();
+    if (hasGround)
+    {
+      vtkActor* ground =
+        scene.AddPlate({ -3.0, -3.0, -0.9 }, { 3.0, -3.0, -0.9 }, { -3.0, 3.0, -0.9 });
+      ground->ForceTranslucentOn();
+      vtkRelievoShadowCatcher::Make(ground);
+    }
+    scene.AddAround(0.6);
+    const auto picture = scene.Picture();
+    foot.push_back(GetMean(picture, 100, 24));
+    RELIEVO_CHECK_NEAR(GetMean(picture, 100, 150), 0.6, 0.03, "the upper side of a ball");
+  }
+  RELIEVO_CHECK(foot[1] < foot[0] - 0.05);
+}
+}
+
+RELIEVO_TEST_CASE(testFillStage)
+{
+  relievoTest::Session session;
+  TestClosedForm();
+  TestSeams();
+  TestOcclusion();
+  TestGround();
+  return session.Result();
+}
+}
