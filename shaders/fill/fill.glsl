@@ -7,10 +7,10 @@
 // Reads these names of VTK's shaders: vertexVC, normalVCVSOutput, diffuseColor, gl_FragData[0].
 
 //RELIEVO::Section(Dec)
-//RELIEVO::Include(formulas/irradiance.glsl)
+//RELIEVO::Include(formulas/light/irradiance.glsl)
 uniform vec3 relievoFillLight[9]; // in eye space
 #ifdef RELIEVO_FILL_SKY
-//RELIEVO::Include(formulas/sky_grid.glsl)
+//RELIEVO::Include(formulas/light/sky_grid.glsl)
 uniform sampler3D relievoFillSky;
 uniform mat4 relievoFillToSky;     // texture coordinates, from eye space
 uniform mat3 relievoFillToWorld;   // directions

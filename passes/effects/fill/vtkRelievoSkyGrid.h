@@ -35,7 +35,7 @@ public:
 
   bool IsEmpty() const { return this->Texels.empty(); }
 
-  // Number of cells along each axis; their values as in shaders/formulas/sky_grid.glsl, x fastest.
+  // Number of cells along each axis; their values as in shaders/formulas/light/sky_grid.glsl, x fastest.
   const glm::ivec3& GetSize() const { return this->Size; }
   const std::vector<std::uint8_t>& GetTexels() const { return this->Texels; }
 
