@@ -89,6 +89,29 @@ aiTextureType ReadTexture(const aiScene* scene, const aiMaterial* material,
   }
   return aiTextureType_NONE;
 }
+
+// The colour of a physical or PBR material of 3ds Max in FBX, whose DiffuseColor is a substitute.
+// Assimp passes it on by its name alone. A map replaces the colour, and is weighted, too.
+bool ReadMaxColor(const aiMaterial* material, aiColor4D& color)
+{
+  const bool isPhysical =
+    material->Get("$raw.3dsMax|Parameters|base_color", 0, 0, color) == aiReturn_SUCCESS;
+  if (!isPhysical && material->Get("$raw.3dsMax|main|basecolor", 0, 0, color) != aiReturn_SUCCESS)
+  {
+    return false;
+  }
+  if (material->GetTextureCount(aiTextureType_BASE_COLOR) > 0)
+  {
+    color = aiColor4D(1.f, 1.f, 1.f, 1.f);
+  }
+  float weight = 1.f;
+  if (isPhysical)
+  {
+    material->Get("$raw.3dsMax|Parameters|base_weight", 0, 0, weight);
+  }
+  color = aiColor4D(weight * color.r, weight * color.g, weight * color.b, 1.f);
+  return true;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -96,7 +119,8 @@ void ReadMaterial(
   const aiScene* scene, const aiMaterial* material, vtkPolyData* output, Model& model)
 {
   aiColor4D color(1.f, 1.f, 1.f, 1.f);
-  if (material->Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS ||
+  if (ReadMaxColor(material, color) ||
+    material->Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS ||
     material->Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS)
   {
     AddNumbers("base_color", { color.r, color.g, color.b, color.a }, output);

@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <locale>
 #include <sstream>
+#include <system_error>
 
 namespace
 {
@@ -43,6 +46,15 @@ std::string vtkRelievoWeather::Read(const std::string& file)
 {
   constexpr std::size_t timeZone = 8, direct = 14, diffuse = 15; // fields, from 0
   constexpr double missing = 9999.0;
+  constexpr std::uintmax_t most = 64U << 20U; // forty times a year of hours
+  std::error_code trouble;
+  // Reading a pipe would block, and a device may not end.
+  const bool isFile = std::filesystem::is_regular_file(file, trouble);
+  if (isFile ? std::filesystem::file_size(file, trouble) > most
+             : std::filesystem::exists(file, trouble))
+  {
+    return file + ": expected a file of at most 64 MiB, not a folder, a pipe or a device";
+  }
   std::ifstream in(file);
   std::string line;
   if (!std::getline(in, line))

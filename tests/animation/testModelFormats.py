@@ -294,6 +294,71 @@ class Scales(unittest.TestCase):
                             self.assertEqual(len(told), inherit == 2 and scale != "1,1,1", notes)
 
 
+MATERIAL = """    Material: 40, "Material::", "" {
+        ShadingModel: "unknown"
+        Properties70:  {
+            P: "DiffuseColor", "Color", "", "A",0.5,0.5,0.5
+            @COLOR@
+        }
+    }
+"""
+LAYER = """
+        LayerElementMaterial: 0 {
+            MappingInformationType: "AllSame"
+            ReferenceInformationType: "IndexToDirect"
+            Materials: *1 {
+                a: 0
+            }
+        }
+        Layer: 0 {
+            LayerElement:  {
+                Type: "LayerElementMaterial"
+                TypedIndex: 0
+            }
+        }
+    }
+    Model: 20"""
+MAP = """    Texture: 41, "Texture::", "" {
+        FileName: "a.png"
+        RelativeFilename: "a.png"
+    }
+"""
+
+
+class Colors(unittest.TestCase):
+    def test_3ds_max(self):
+        """The colour of its physical and PBR materials; a map replaces it."""
+        physical = 'P: "3dsMax|Parameters|base_color", "ColorAndAlpha", "", "A",1,0.5,0,1'
+        weight = 'P: "3dsMax|Parameters|base_weight", "Float", "", "A",0.5'
+        pbr = 'P: "3dsMax|main|basecolor", "ColorAndAlpha", "", "A",0,0.25,1,1'
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "a.fbx"
+            for color, slot, expected in (
+                ("", None, (0.5, 0.5, 0.5, 1)),
+                (physical, None, (1, 0.5, 0, 1)),
+                (physical + "\n" + weight, None, (0.5, 0.25, 0, 1)),
+                (physical + "\n" + weight, "Parameters", (0.5, 0.5, 0.5, 1)),
+                (pbr, None, (0, 0.25, 1, 1)),
+                (pbr, "main", (1, 1, 1, 1)),
+            ):
+                text = FBX.replace("@TYPE@", "0").replace("@SCALE@", "1,1,1").replace("@PIVOT@", "")
+                objects = MATERIAL.replace("@COLOR@", color) + (MAP if slot else "")
+                lines = 'C: "OO",40,21\n'
+                if slot:
+                    lines += f'C: "OP",41,40, "3dsMax|{slot}|base_color_map"\n'
+                text = text.replace("\n    }\n    Model: 20", LAYER)
+                text = text.replace("    Geometry:", objects + "    Geometry:")
+                path.write_text(text.replace('C: "OO",20,0', lines + 'C: "OO",20,0'))
+                reader, errors, _ = read(path)
+                with self.subTest(color=color, slot=slot):
+                    self.assertEqual(errors, [])
+                    fields = reader.GetOutput().GetBlock(0).GetFieldData()
+                    numpy.testing.assert_allclose(
+                        fields.GetArray("base_color").GetTuple4(0), expected, atol=1e-6)  # fmt: skip
+                    self.assertEqual(
+                        bool(fields.GetAbstractArray("base_color_texture")), bool(slot))  # fmt: skip
+
+
 SKIN = FBX[: FBX.index("    Model: 20")] + """
     Model: 20, "Model::bone", "LimbNode" {
         Properties70:  {

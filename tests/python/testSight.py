@@ -1155,7 +1155,8 @@ class Sun(unittest.TestCase):
                                ({"dni": [1], "dhi": [1, 2]}, "equal"),
                                ({"dni": [1, 1], "dhi": [1, -1]}, "got -1 W/m2 in row 1"),
                                ({"dni": [1] * 3, "dhi": [1] * 3}, "got 3 values for 2 days"),
-                               ("none.epw", "none.epw: cannot be read")):
+                               ("none.epw", "none.epw: cannot be read"),
+                               ("/dev/zero", "/dev/zero: expected a file .* a device")):
             with self.assertRaisesRegex(ValueError, wrong):
                 relievo.sun_exposure(roof, **self.PLACE, **given, irradiance="perez",
                                      weather=weather)
