@@ -27,10 +27,10 @@
  *
  * The light is that of a clear sky (P. Ineichen, R. Perez 2002, by Altitude and Turbidity), or of
  * weather data (WeatherFile, SetWeather), whose values are spread over the part of their interval
- * by day. With Irradiance all arrays but sky_view come from one set of rays per position, to
- * patches of the sky that are divided until the bound is below Tolerance: a patch whose corners
- * agree counts as they do. So the bound holds for occluders and gaps wider than the first patches,
- * 9 degrees; smaller ones are found where they cross a corner.
+ * by day. With Irradiance all arrays but sky_view come from patches of the sky that are divided
+ * until the bound is below Tolerance, or they are 0.3 degrees wide: no triangle meets a patch that
+ * counts wholly, and triangles that share edges cover one that does not count. Others count by the
+ * share of their free corners, and wholly in the bounds, which hold for occluders of any width.
  *
  * Each step counts by the sun's position in its middle; the last step of a day may be shorter, and
  * of steps with a sunrise or sunset only the part by day counts. Hours are exact to about one step
@@ -156,7 +156,7 @@ public:
   ///@{
   /**
    * The largest error of irradiation, percent of its light from the sun and the sky, 0.1 to 20:
-   * rays are added until the bound is below, or the patches are 0.3 degrees wide. Default 1.
+   * patches are divided until the bound is below, or they are 0.3 degrees wide. Default 1.
    */
   vtkSetClampMacro(Tolerance, double, 0.1, 20.0);
   vtkGetMacro(Tolerance, double);

@@ -12,6 +12,33 @@
 #include <limits>
 
 //------------------------------------------------------------------------------
+// A patch's corners, its middle, and the great circles from each corner to the next.
+struct vtkRelievoSkyPatches::Frame
+{
+  glm::dvec3 Corners[4];
+  glm::dvec3 Middle;
+  glm::dvec3 Normals[4]; // not unit; towards the middle
+
+  Frame(const vtkRelievoSkyPatches& sky, int level, int column, int row)
+  {
+    const int width = Side >> level;
+    const int places[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+    for (int i = 0; i < 4; ++i)
+    {
+      this->Corners[i] =
+        sky.GetCorner((column + places[i][0]) * width, (row + places[i][1]) * width);
+    }
+    this->Middle =
+      glm::normalize(this->Corners[0] + this->Corners[1] + this->Corners[2] + this->Corners[3]);
+    for (int i = 0; i < 4; ++i)
+    {
+      const glm::dvec3 normal = glm::cross(this->Corners[i], this->Corners[(i + 1) % 4]);
+      this->Normals[i] = glm::dot(normal, this->Middle) < 0.0 ? -normal : normal;
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
 vtkRelievoSkyPatches::vtkRelievoSkyPatches(const glm::dmat3& world)
   : World(world)
 {
@@ -28,6 +55,77 @@ vtkRelievoSkyPatches::vtkRelievoSkyPatches(const glm::dmat3& world)
       this->Corners.push_back(world * GetLocal(2.0 * column / Side - 1.0, 2.0 * row / Side - 1.0));
     }
   }
+  for (int level = FirstLevel; level <= LastLevel; ++level)
+  {
+    for (int row = 0; row < 1 << level; ++row)
+    {
+      for (int column = 0; column < 1 << level; ++column)
+      {
+        this->FindExcess(level, column, row);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Along each of its sides, which are smooth.
+void vtkRelievoSkyPatches::FindExcess(int level, int column, int row)
+{
+  Patch& patch = this->Levels[static_cast<std::size_t>(level - FirstLevel)]
+                             [static_cast<std::size_t>((row << level) + column)];
+  if (level == LastLevel)
+  {
+    patch.Excess = this->Get(level - 1, column / 2, row / 2).Excess;
+    return;
+  }
+  constexpr double safety = 1.25; // for places between those looked at
+  double least = 0.0;
+  const Frame frame(*this, level, column, row);
+  const int width = Side >> level;
+  const int step = std::max(1, width / 8);
+  for (int along = step; along < width; along += step)
+  {
+    const int places[4][2] = { { along, 0 }, { width, along }, { along, width }, { 0, along } };
+    for (const auto& [x, y] : places)
+    {
+      const glm::dvec3& corner = this->GetCorner(column * width + x, row * width + y);
+      const double ahead = glm::dot(corner, frame.Middle);
+      for (const glm::dvec3& normal : frame.Normals)
+      {
+        least =
+          std::min(least, glm::dot(corner, normal) / (ahead * glm::dot(frame.Middle, normal)));
+      }
+    }
+  }
+  patch.Excess = -safety * least + 1e-9;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoConeSight::Cone vtkRelievoSkyPatches::GetCone(
+  int level, int column, int row, const glm::dvec3& normal, double& least, double& most) const
+{
+  const double excess = this->Get(level, column, row).Excess;
+  const Frame frame(*this, level, column, row);
+  const glm::dvec3& up = this->World[2];
+  vtkRelievoConeSight::Cone cone;
+  least = 1.0;
+  most = -1.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    const glm::dvec3& corner = frame.Corners[i];
+    const glm::dvec3& side = frame.Normals[i];
+    const double ahead = glm::dot(corner, frame.Middle);
+    cone.Normals[i] = side + excess * glm::dot(side, frame.Middle) * frame.Middle;
+    cone.Edges[i] = corner + excess * (corner - ahead * frame.Middle);
+    // A patch at the horizon ends there.
+    const glm::dvec3 end = cone.Edges[i] - std::min(0.0, glm::dot(cone.Edges[i], up)) * up;
+    const double cosine = glm::dot(end, normal) / ahead;
+    least = std::min(least, cosine);
+    most = std::max(most, cosine);
+  }
+  cone.Normals[4] = normal;
+  cone.Normals[5] = up;
+  return cone;
 }
 
 //------------------------------------------------------------------------------
@@ -127,10 +225,11 @@ void vtkRelievoSkyPatches::Finish()
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoSkyPatches::Receiver::Receiver(
-  const vtkRelievoSkyPatches& sky, const vtkRelievoRayTree& tree, double tolerance)
+vtkRelievoSkyPatches::Receiver::Receiver(const vtkRelievoSkyPatches& sky,
+  const vtkRelievoRayTree& tree, const vtkRelievoConeSight& sight, double tolerance)
   : Sky(sky)
   , Tree(tree)
+  , Sight(sight)
   , Tolerance(tolerance)
   , Seen(sky.Corners.size())
 {
@@ -143,8 +242,8 @@ bool vtkRelievoSkyPatches::Receiver::IsFree(int column, int row)
   if (seen / 2 != this->Number)
   {
     constexpr double farthest = std::numeric_limits<double>::infinity();
-    const bool hit = this->Tree.HitsAny(
-      this->Place - this->Tree.GetCenter(), this->Sky.GetCorner(column, row), 0.0, farthest);
+    const bool hit =
+      this->Tree.HitsAny(this->Place, this->Sky.GetCorner(column, row), 0.0, farthest);
     seen = 2 * this->Number + (hit ? 0 : 1);
   }
   return seen % 2 == 1;
@@ -154,40 +253,60 @@ bool vtkRelievoSkyPatches::Receiver::IsFree(int column, int row)
 void vtkRelievoSkyPatches::Receiver::Add(int level, int column, int row)
 {
   const Patch& patch = this->Sky.Get(level, column, row);
-  const int width = Side >> level;
-  double most = -1.0; // cosines to the normal
-  double least = 1.0;
-  int facing = 0;
-  int free = 0;
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const int x = (column + corner % 2) * width;
-    const int y = (row + corner / 2) * width;
-    const double cosine = glm::dot(this->Sky.GetCorner(x, y), this->Normal);
-    most = std::max(most, cosine);
-    least = std::min(least, cosine);
-    if (cosine > 0.0)
-    {
-      ++facing;
-      free += this->IsFree(x, y) ? 1 : 0;
-    }
-  }
-  if (free == 0 || patch.DirectSize + patch.DiffuseSize == 0.0)
+  double least = 1.0; // cosines to the normal
+  double most = -1.0;
+  const vtkRelievoConeSight::Cone cone =
+    this->Sky.GetCone(level, column, row, this->Normal, least, most);
+  if (most <= 0.0 || patch.DirectSize + patch.DiffuseSize + patch.Hours == 0.0)
   {
     return;
   }
+  double share = 1.0; // of the patch that is free
+  bool isFree = false;
+  if (level < RayLevel)
+  {
+    isFree = this->Sight.IsFree(this->Place, cone);
+    if (!isFree)
+    {
+      this->Divide(level, column, row);
+      return;
+    }
+  }
+  else
+  {
+    const int width = Side >> level;
+    glm::dvec3 within(0.0);
+    int facing = 0;
+    int free = 0;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const int x = (column + corner % 2) * width;
+      const int y = (row + corner / 2) * width;
+      const glm::dvec3& direction = this->Sky.GetCorner(x, y);
+      if (glm::dot(direction, this->Normal) > 0.0)
+      {
+        ++facing;
+        free += this->IsFree(x, y) ? 1 : 0;
+        within += direction;
+      }
+    }
+    if (free == 0 && facing > 0 && this->Sight.IsBlocked(this->Place, cone, within))
+    {
+      return;
+    }
+    isFree = free == facing && this->Sight.IsFree(this->Place, cone);
+    share = isFree ? 1.0 : facing > 0 ? static_cast<double>(free) / facing : 0.0;
+  }
   // Patches across the plane of the surface have light from behind, which does not count; their
   // corners behind it say nothing.
-  const double share = static_cast<double>(free) / facing;
   const auto receive = [&](const glm::dvec3& light) {
     const double all = glm::dot(light, this->Normal);
     return least < 0.0 ? std::max(0.0, all) : all;
   };
-  const bool isMixed = free < facing;
   const auto bound = [&](double size, double light) {
     const double largest = std::max(std::abs(light), size * most);
-    return isMixed ? largest * std::max(share, 1.0 - share)
-                   : size * std::max(0.0, std::min(most, -least));
+    return isFree ? size * std::max(0.0, std::min(most, -least))
+                  : largest * std::max(share, 1.0 - share);
   };
   Node node{ level, column, row, {} };
   const double direct = receive(patch.Direct);
@@ -196,16 +315,25 @@ void vtkRelievoSkyPatches::Receiver::Add(int level, int column, int row)
   node.Light.Diffuse = share * diffuse;
   node.Light.Bound = bound(patch.DirectSize, direct) + bound(patch.DiffuseSize, diffuse);
   node.Light.Hours = share * patch.Hours;
-  node.Light.HoursBound = isMixed || least < 0.0 ? patch.Hours * std::max(share, 1.0 - share) : 0.0;
+  node.Light.HoursBound = isFree && least >= 0.0 ? 0.0 : patch.Hours * std::max(share, 1.0 - share);
   node.Light.Insolation = share * receive(patch.Insolation);
   this->Nodes.push_back(node);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkyPatches::Receiver::Divide(int level, int column, int row)
+{
+  for (int quarter = 0; quarter < 4; ++quarter)
+  {
+    this->Add(level + 1, 2 * column + quarter % 2, 2 * row + quarter / 2);
+  }
 }
 
 //------------------------------------------------------------------------------
 vtkRelievoSkyPatches::Sums vtkRelievoSkyPatches::Receiver::Receive(
   const glm::dvec3& place, const glm::dvec3& normal)
 {
-  this->Place = place;
+  this->Place = place - this->Tree.GetCenter();
   this->Normal = normal;
   ++this->Number;
   this->Nodes.clear();
@@ -250,10 +378,7 @@ vtkRelievoSkyPatches::Sums vtkRelievoSkyPatches::Receiver::Receive(
         continue;
       }
       isDivided = true;
-      for (int quarter = 0; quarter < 4; ++quarter)
-      {
-        this->Add(node.Level + 1, 2 * node.Column + quarter % 2, 2 * node.Row + quarter / 2);
-      }
+      this->Divide(node.Level, node.Column, node.Row);
     }
     if (!isDivided)
     {

@@ -6,6 +6,8 @@
 #ifndef vtkRelievoSkyPatches_h
 #define vtkRelievoSkyPatches_h
 
+#include "vtkRelievoConeSight.h"
+
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
@@ -14,12 +16,10 @@
 #include <cstdint>
 #include <vector>
 
-class vtkRelievoRayTree;
-
 // The hemisphere is mapped to a square that keeps areas (P. Shirley, K. Chiu, A low distortion map
-// between disk and square, 1997). Its patches are divided in four, from 16 x 16 to 512 x 512, 0.3
-// degrees wide. Each has the sums of the light from its directions; a corner's ray tells whether it
-// is seen. A patch whose corners agree counts wholly or not at all; others count by the share of
+// between disk and square, 1997). Its patches are divided in four, from 4 x 4 to 512 x 512, 0.3
+// degrees wide. Each has the sums of the light from its directions. A patch of which all directions
+// are free, or all blocked, counts wholly or not at all; others count by the share of free rays to
 // their corners, with a bound of all that this may miss.
 class vtkRelievoSkyPatches
 {
@@ -52,7 +52,8 @@ public:
   class Receiver
   {
   public:
-    Receiver(const vtkRelievoSkyPatches& sky, const vtkRelievoRayTree& tree, double tolerance);
+    Receiver(const vtkRelievoSkyPatches& sky, const vtkRelievoRayTree& tree,
+      const vtkRelievoConeSight& sight, double tolerance);
 
     // The place is in the world's coordinates, in front of its surface.
     Sums Receive(const glm::dvec3& place, const glm::dvec3& normal);
@@ -66,12 +67,14 @@ public:
       Sums Light;
     };
     void Add(int level, int column, int row);
+    void Divide(int level, int column, int row);
     bool IsFree(int column, int row);
 
     const vtkRelievoSkyPatches& Sky;
     const vtkRelievoRayTree& Tree;
+    const vtkRelievoConeSight& Sight;
     double Tolerance;
-    glm::dvec3 Place{};
+    glm::dvec3 Place{}; // about the tree's centre
     glm::dvec3 Normal{};
     std::vector<Node> Nodes;
     std::vector<std::uint32_t> Seen; // of corners: twice the place's number, plus 1 if seen
@@ -79,7 +82,9 @@ public:
   };
 
 private:
-  static constexpr int FirstLevel = 4; // 2^4 patches a side
+  struct Frame;
+  static constexpr int FirstLevel = 2; // 2^2 patches a side
+  static constexpr int RayLevel = 4;   // the first one with rays to corners
   static constexpr int LastLevel = 9;
   static constexpr int Side = 1 << LastLevel;
 
@@ -91,10 +96,18 @@ private:
     double DirectSize = 0.0;
     double DiffuseSize = 0.0;
     double Hours = 0.0;
+    // By which the great circles between its corners are moved away from its middle, so that the
+    // patch lies between them; 1: as far again as they are from the middle.
+    double Excess = 0.0;
   };
 
   static glm::dvec3 GetLocal(double x, double y);
   Patch& FindPatch(const glm::dvec3& local);
+  void FindExcess(int level, int column, int row);
+  // The great circles around a patch, and the least and the largest cosine of its directions to a
+  // normal, or beyond. The last two of the cone's normals are the receiver's and the zenith.
+  vtkRelievoConeSight::Cone GetCone(
+    int level, int column, int row, const glm::dvec3& normal, double& least, double& most) const;
   const Patch& Get(int level, int column, int row) const
   {
     return this->Levels[static_cast<std::size_t>(level - FirstLevel)]

@@ -77,6 +77,18 @@ public:
   template <typename Visit>
   void Walk(const vtkRelievoRay& ray, double low, double high, Visit visit) const;
 
+  // Calls visit(first, count) for runs of triangles, among them all that reach into each of some
+  // half-spaces about the origin; `visit` returns whether to continue.
+  template <typename Visit>
+  void FindWithin(vtkRelievoWideTree::HalfSpace* spaces, int count, Visit visit) const
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      spaces[i].Least *= this->Scale;
+    }
+    this->Tree.FindWithin(spaces, count, visit);
+  }
+
   class Course;
 
 private:

@@ -76,6 +76,19 @@ public:
   void Walk(
     const glm::dvec3& from, const glm::dvec3& ray, double low, double high, Visit visit) const;
 
+  // Calls visit(place) for places, among them all that reach into each of some half-spaces; `visit`
+  // returns whether to continue.
+  template <typename Visit>
+  void FindWithin(vtkRelievoWideTree::HalfSpace* spaces, int count, Visit visit) const
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      spaces[i].Least *= this->Scale;
+    }
+    this->Tree.FindWithin(
+      spaces, count, [&](int first, int) { return visit(this->Tree.GetOrder()[first]); });
+  }
+
   ///@{
   // The first hit in the range, whether there is any, and all hits in order.
   Hit FindNearest(const glm::dvec3& from, const glm::dvec3& ray, double low, double high) const;

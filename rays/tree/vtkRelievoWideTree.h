@@ -132,6 +132,27 @@ public:
   template <typename Visit>
   void FindOverlaps(const Box& box, Visit visit) const;
 
+  // A half-space: the points with Normal . x >= Least.
+  struct HalfSpace
+  {
+    glm::dvec3 Normal;
+    double Least;
+  };
+  // Calls visit(first, count) for leaves whose boxes, without their margin, reach into each of the
+  // half-spaces; `visit` returns whether to continue.
+  template <typename Visit>
+  void FindWithin(const HalfSpace* spaces, int count, Visit visit) const
+  {
+    if (UsesAvx2())
+    {
+      this->FindWithinByAvx2(spaces, count, visit);
+    }
+    else
+    {
+      this->FindWithinBy(spaces, count, visit);
+    }
+  }
+
 private:
   using Four = vtkRelievoFour;
   static constexpr float Rounding = 1.0000008f; // of the products on both sides
@@ -169,6 +190,14 @@ private:
     const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit& visit) const
   {
     this->WalkBy<true>(ray, last, leaves, bytes, visit);
+  }
+  static unsigned GetWithin(const Node& node, const HalfSpace* spaces, int count);
+  template <typename Visit>
+  void FindWithinBy(const HalfSpace* spaces, int count, Visit& visit) const;
+  template <typename Visit>
+  RELIEVO_AVX2 void FindWithinByAvx2(const HalfSpace* spaces, int count, Visit& visit) const
+  {
+    this->FindWithinBy(spaces, count, visit);
   }
   void Fit(const std::vector<Box>& boxes);
 
@@ -425,6 +454,77 @@ void vtkRelievoWideTree::FindOverlaps(const Box& box, Visit visit) const
       {
         return;
       }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Bits of the node's boxes that reach into each of the half-spaces.
+RELIEVO_INLINED unsigned vtkRelievoWideTree::GetWithin(
+  const Node& node, const HalfSpace* spaces, int count)
+{
+  bool isWithin[Width];
+  for (int i = 0; i < Width; ++i)
+  {
+    isWithin[i] = node.Child[i] != 0;
+  }
+  for (const HalfSpace* space = spaces; space != spaces + count; ++space)
+  {
+    const glm::dvec3& normal = space->Normal;
+    const float* x = node.Sides[normal.x > 0.0 ? 3 : 0];
+    const float* y = node.Sides[normal.y > 0.0 ? 4 : 1];
+    const float* z = node.Sides[normal.z > 0.0 ? 5 : 2];
+    // A box's corner was rounded by at most half of the difference.
+    const double least =
+      space->Least + 0.5 * Room * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
+    for (int i = 0; i < Width; ++i)
+    {
+      isWithin[i] = isWithin[i] & (normal.x * x[i] + normal.y * y[i] + normal.z * z[i] >= least);
+    }
+  }
+  unsigned bits = 0;
+  for (int i = 0; i < Width; ++i)
+  {
+    bits |= isWithin[i] ? 1u << i : 0u;
+  }
+  return bits;
+}
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+RELIEVO_INLINED void vtkRelievoWideTree::FindWithinBy(
+  const HalfSpace* spaces, int count, Visit& visit) const
+{
+  if (this->Nodes.empty())
+  {
+    return;
+  }
+  int local[Few];
+  std::vector<int> large;
+  int* stack = local;
+  if (this->Stack > Few)
+  {
+    large.resize(static_cast<std::size_t>(this->Stack));
+    stack = large.data();
+  }
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0)
+  {
+    const int next = stack[--size];
+    if (next < 0)
+    {
+      const int leaf = -1 - next;
+      if (!visit(leaf / Most, leaf % Most + 1))
+      {
+        return;
+      }
+      continue;
+    }
+    const Node& node = this->Nodes[static_cast<std::size_t>(next)];
+    for (unsigned bits = GetWithin(node, spaces, count); bits != 0; bits &= bits - 1)
+    {
+      stack[size++] = node.Child[vtkRelievoGetLowest(bits)];
     }
   }
 }
