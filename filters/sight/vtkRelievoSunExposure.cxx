@@ -267,7 +267,8 @@ vtkRelievoSunExposure::vtkRelievoSunExposure()
   const auto lit = [](vtkRelievoParameter& parameter) { parameter.OnlyIf = "irradiance!=off"; };
   lit(list.AddNumber(
     "tolerance", this->Tolerance, [this](double percent) { this->SetTolerance(percent); }, 0.1,
-    20.0, "percent", "The sky is divided until the error of the irradiation is below, down to 0.3 degrees."));
+    20.0, "percent",
+    "The sky is divided until the error of the irradiation is below, down to 0.3 degrees."));
   lit(list.AddNumber(
     "albedo", this->Albedo, [this](double share) { this->SetAlbedo(share); }, 0.0, 1.0, "",
     "Share of light that the ground reflects."));

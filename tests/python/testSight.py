@@ -1064,7 +1064,7 @@ class Sun(unittest.TestCase):
         """Closed forms of a uniform sky, and steps of sun by rays, within the bounds."""
         floor = grid((-0.01, 0, 0.01), (0.01, 0, 0.01), (-0.01, 0, -0.01), 1, 1)
         left = grid((-1, 0, 500), (-1, 0, -500), (-1, 1, 500), 1, 1)  # faces the other
-        right = grid((1, 0, -500), (1, 0, 500), (1, 1, -500), 1, 1)
+        right = grid((1, 0, -500), (1, 0, 500), (1, 1, -500), 999, 29)  # small quads
         day = {**self.PLACE, "first": "2026-06-01", "step": 5}
         sky = {"dhi": numpy.full(24, 100.0), "dni": numpy.zeros(24)}
         sun = {"dhi": numpy.zeros(24), "dni": numpy.full(24, 500.0)}
@@ -1088,6 +1088,37 @@ class Sun(unittest.TestCase):
             self.assertLessEqual(abs(array(lit, "sun_hours")[0] - array(rays, "sun_hours")[0]),
                                  array(lit, "sun_hours_bound")[0] + 5 / 60)
             self.assertLess(array(lit, "sun_hours")[0], 14)
+
+    def test_irradiation_among_poles(self):
+        """Occluders narrower than the first patches: a closed form, and rays, within the bounds."""
+        height, radius, wide, count = 50, 10, 0.3, 24
+        poles = []
+        for turn in 2 * numpy.pi * (numpy.arange(count) + 0.37) / count:
+            ahead = numpy.array((numpy.sin(turn), 0, -numpy.cos(turn)))
+            side = 0.5 * wide * numpy.array((numpy.cos(turn), 0, numpy.sin(turn)))
+            low, high = radius * ahead - side, radius * ahead + side
+            poles.append(grid(low, high, low + (0, height, 0), 1, 3))
+        floor = grid((-0.001, 0, 0.001), (0.001, 0, 0.001), (-0.001, 0, -0.001), 1, 1)
+        day = {**self.PLACE, "first": "2026-06-01", "occluders": poles}
+        sky = {"dhi": numpy.full(24, 100.0), "dni": numpy.zeros(24)}
+        half = numpy.arctan(0.5 * wide / radius)
+        across = half * (2 * (numpy.arange(100) + 0.5) / 100 - 1)
+        slope = (height * numpy.cos(across) / radius) ** 2
+        expected = 1 - count * half / numpy.pi * numpy.mean(slope / (1 + slope))
+        for tolerance in (20, 5, 1):
+            lit = relievo.sun_exposure(floor, **day, irradiance="isotropic", weather=sky,
+                                       tolerance=tolerance, albedo=0)
+            open_ = lit.GetFieldData().GetArray("open_irradiation").GetValue(0)
+            found, bound = (array(lit, name)[0] / open_
+                            for name in ("irradiation", "irradiation_bound"))
+            self.assertLessEqual(abs(found - expected), bound)
+            self.assertLess(bound, max(0.01 * tolerance, 0.06) * found)
+        site = grid((-9, 0, 9), (9, 0, 9), (-9, 0, -9), 6, 6)
+        lit = relievo.sun_exposure(site, **day, irradiance="perez", tolerance=20)
+        rays = relievo.sun_exposure(site, **day)
+        missed = abs(array(lit, "sun_hours") - array(rays, "sun_hours"))
+        numpy.testing.assert_array_less(missed, array(lit, "sun_hours_bound") + 1e-4)
+        self.assertGreater(missed.max(), 0.05)  # so the bounds are needed
 
     def test_weather(self):
         """Energy of an open level roof: the sum of all hours with sun, from a file or arrays."""
