@@ -36,6 +36,16 @@ RenderOptions GetFrameOptions(const RenderOptions& options, int frame)
 }
 
 //------------------------------------------------------------------------------
+int CountFrames(const RenderOptions& options)
+{
+  const MotionChoice& motion = options.Motion;
+  const std::size_t frames = !options.Model.Times.empty() ? options.Model.Times.size()
+    : motion.Path.empty() ? static_cast<std::size_t>(motion.Turntable)
+                          : CameraPath::Read(motion.Path).GetTimes(motion.FramesPerSecond).size();
+  return static_cast<int>(frames);
+}
+
+//------------------------------------------------------------------------------
 FrameList::FrameList(const Scene& scene, const RenderOptions& options)
 {
   const MotionChoice& motion = options.Motion;

@@ -17,6 +17,10 @@ namespace scene
 struct RenderOptions;
 struct Scene;
 
+/// The number of frames of a sequence. Throws UsageError or FileError for the file of a camera's
+/// path.
+int CountFrames(const RenderOptions& options);
+
 /// The options for one frame: its time and its file names; those given if there is no sequence.
 RenderOptions GetFrameOptions(const RenderOptions& options, int frame);
 

@@ -622,18 +622,19 @@ bool IsThere(const RenderOptions& options)
 }
 
 // The picture of a frame that was drawn before.
-vtkSmartPointer<vtkImageData> ReadPicture(const RenderOptions& options)
+vtkSmartPointer<vtkImageData> ReadPicture(
+  const std::string& file, const std::array<int, 2>& expected, const char* remedy)
 {
   vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(options.PNG.c_str());
+  reader->SetFileName(file.c_str());
   reader->Update();
-  Messages::Check(options.PNG, reader->GetErrorCode() != 0, "cannot be read");
+  Messages::Check(file, reader->GetErrorCode() != 0, "cannot be read");
   const int* size = reader->GetOutput()->GetDimensions();
-  if (size[0] != options.Size[0] || size[1] != options.Size[1])
+  if (size[0] != expected[0] || size[1] != expected[1])
   {
-    throw FileError(options.PNG + ": has " + std::to_string(size[0]) + "x" +
-      std::to_string(size[1]) + " pixels, expected " + std::to_string(options.Size[0]) + "x" +
-      std::to_string(options.Size[1]) + ": remove it, or leave out --resume");
+    throw FileError(file + ": has " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
+      " pixels, expected " + std::to_string(expected[0]) + "x" + std::to_string(expected[1]) +
+      ": " + remedy);
   }
   return reader->GetOutput();
 }
@@ -811,14 +812,14 @@ RenderOptions FollowProgram(RenderOptions options)
 
 //------------------------------------------------------------------------------
 std::unique_ptr<Outputs> OpenOutputs(
-  const RenderOptions& options, const std::vector<std::string>& inputs)
+  const RenderOptions& options, const std::vector<std::string>& inputs, int frame)
 {
   if (!options.Motion.Video.empty() && IsSequence(options)) // not for each frame
   {
     Outputs().Add("--video", options.Motion.Video, inputs); // checks the place
   }
   auto outputs = std::make_unique<Outputs>();
-  for (const auto& [option, path] : GetPlaces(GetFrameOptions(options, 0)))
+  for (const auto& [option, path] : GetPlaces(GetFrameOptions(options, frame)))
   {
     outputs->Add(option, path, inputs);
   }
@@ -826,9 +827,35 @@ std::unique_ptr<Outputs> OpenOutputs(
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> GetFrameFiles(const RenderOptions& options, int frame)
+{
+  std::vector<std::string> files;
+  for (const auto& place : GetPlaces(GetFrameOptions(options, frame)))
+  {
+    files.push_back(place.second);
+  }
+  return files;
+}
+
+//------------------------------------------------------------------------------
+void WriteFilm(const std::string& path, const std::vector<std::string>& pictures,
+  const std::array<int, 2>& size, double framesPerSecond)
+{
+  Outputs place;
+  place.Add("--video", path, pictures);
+  VideoFile file(place.Temporary(path), path, size, framesPerSecond);
+  for (const std::string& picture : pictures)
+  {
+    file.Add(ReadPicture(picture, size, "draw it again"));
+  }
+  file.Finish();
+  place.Commit();
+}
+
+//------------------------------------------------------------------------------
 std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
   const Settings& settings, const Bands& bands, const std::vector<std::string>& inputs,
-  std::unique_ptr<Outputs> outputs, Progress& progress)
+  std::unique_ptr<Outputs> outputs, const FrameRange& range, Progress& progress)
 {
   vtkRenderer* renderer = styled.GetRenderer();
   std::vector<std::string> layers = LayersToCapture(options, styled.GetScene());
@@ -863,18 +890,20 @@ std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
   Film film(options, inputs);
   Animation animation(styled, options, inputs);
   int kept = 0;
-  for (int number = 0; number < frames; ++number)
+  for (int number = range.First; number < std::min(frames, range.End); ++number)
   {
     const RenderOptions own = list.Get(options, number);
     if (options.Motion.Resume && IsThere(own))
     {
       ++kept;
-      film.Add(options.Motion.Video.empty() ? nullptr : ReadPicture(own).Get());
+      film.Add(options.Motion.Video.empty()
+          ? nullptr
+          : ReadPicture(own.PNG, own.Size, "remove it, or leave out --resume").Get());
       continue;
     }
-    if (number > 0)
+    if (number > range.First)
     {
-      outputs = OpenOutputs(own, inputs);
+      outputs = OpenOutputs(own, inputs, number);
     }
     if (number > 0 && own.Model.Time)
     {
@@ -888,6 +917,7 @@ std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
       "rendering " + size + ", frame " + std::to_string(number + 1) + " of " +
         std::to_string(frames)));
     outputs->Commit();
+    range.OnWritten(number);
     animation.Add(own.Model.Time.value_or(number / options.Motion.FramesPerSecond));
   }
   film.Finish();

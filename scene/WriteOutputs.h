@@ -9,6 +9,8 @@
 #include "Outputs.h"
 #include "SceneNames.h"
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,10 +31,21 @@ struct RenderOptions;
 /// missing, with a note.
 RenderOptions FollowProgram(RenderOptions options);
 
-/// The output files of the options; for a sequence, those of its first frame. Throws UsageError or
+/// The frames of a sequence to draw, from the first to before the end.
+struct FrameRange
+{
+  int First;
+  int End;
+  std::function<void(int frame)> OnWritten; ///< called after a frame's files are in place
+};
+
+/// The output files of the options; for a sequence, those of a frame. Throws UsageError or
 /// WorkError for a place that cannot be written or is an input.
 std::unique_ptr<Outputs> OpenOutputs(
-  const RenderOptions& options, const std::vector<std::string>& inputs);
+  const RenderOptions& options, const std::vector<std::string>& inputs, int frame);
+
+/// The names of all output files of a frame.
+std::vector<std::string> GetFrameFiles(const RenderOptions& options, int frame);
 
 /// Draws the scene as set by the options and writes the files; in a sequence, each frame's files
 /// are written before the next frame is drawn. `settings`: the source of the options, for the
@@ -41,7 +54,11 @@ std::unique_ptr<Outputs> OpenOutputs(
 /// layers that the scene does not have, and WorkError.
 std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
   const Settings& settings, const Bands& bands, const std::vector<std::string>& inputs,
-  std::unique_ptr<Outputs> outputs, Progress& progress);
+  std::unique_ptr<Outputs> outputs, const FrameRange& range, Progress& progress);
+
+/// Writes a film of PNG files. Throws UsageError or WorkError.
+void WriteFilm(const std::string& path, const std::vector<std::string>& pictures,
+  const std::array<int, 2>& size, double framesPerSecond);
 
 /// Writes the scene, drawn in a window, as glTF (.glb). Throws UsageError or WorkError for a place
 /// that cannot be written or is an input.

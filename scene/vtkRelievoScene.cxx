@@ -347,10 +347,12 @@ bool vtkRelievoScene::Write()
     const scene::RenderOptions& options = this->Internal->Options;
     this->Internal->Certificate.clear();
     scene::CheckOutputs(options);
+    const scene::FrameRange frames{ this->Frames[0], this->Frames[1],
+      [this](int frame) { this->InvokeEvent(FrameEvent, &frame); } };
     this->Internal->Options = scene::FollowProgram(options);
     std::vector<std::string> inputs = OnFiles([&options] { return scene::CheckInputs(options); });
     std::unique_ptr<reading::Outputs> outputs =
-      OnFiles([&] { return scene::OpenOutputs(options, inputs); });
+      OnFiles([&] { return scene::OpenOutputs(options, inputs, this->Frames[0]); });
     if (!options.Lens.empty())
     {
       this->Internal->Options = OnFiles([&options] { return scene::FollowLens(options); });
@@ -365,8 +367,9 @@ bool vtkRelievoScene::Write()
     this->Internal->Played = options.Model.Times.size() > 1;
     const std::vector<std::string>& opened = this->Internal->Opened;
     inputs.insert(inputs.end(), opened.begin(), opened.end());
-    this->Internal->Certificate = scene::WriteOutputs(this->Internal->Styled, options,
-      this->Internal->Settings, this->Internal->GetBands(), inputs, std::move(outputs), progress);
+    this->Internal->Certificate =
+      scene::WriteOutputs(this->Internal->Styled, options, this->Internal->Settings,
+        this->Internal->GetBands(), inputs, std::move(outputs), frames, progress);
   });
 }
 
@@ -470,6 +473,7 @@ void vtkRelievoScene::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n" << indent << "Renderer: " << this->GetRenderer() << "\n";
   os << indent << "BandRows: " << this->BandRows << "\n";
+  os << indent << "Frames: " << this->Frames[0] << " " << this->Frames[1] << "\n";
   os << indent << "RenderWindow: " << this->Internal->Window << "\n";
   os << indent << "Failure: " << this->Failure << "\n";
 }

@@ -74,6 +74,19 @@ public:
   vtkGetMacro(BandRows, int);
   ///@}
 
+  ///@{
+  /**
+   * The frames of a sequence that Write() draws, from the first to before the end. After each one's
+   * files are in place, FrameEvent is invoked with its number, an int. Default: all.
+   */
+  vtkSetVector2Macro(Frames, int);
+  vtkGetVector2Macro(Frames, int);
+  enum Events
+  {
+    FrameEvent = 1145 // after vtkCommand::UserEvent
+  };
+  ///@}
+
   /**
    * Shows the scene as set by the words, and draws the content of `--baseline` into an image:
    * vtkRelievoBaseline, portable or not, with the files' names for objects.
@@ -142,6 +155,7 @@ private:
   std::string FailureText;
   bool Abort = false;
   int BandRows = 0;
+  int Frames[2] = { 0, VTK_INT_MAX };
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -262,7 +262,10 @@ std::string PartProgress::GetText(const std::string& folder)
     const double made = done - number("before");
     char line[256];
     std::snprintf(line, sizeof(line), "part %.0f of %.0f: %.0f of %.0f %s", number("part"),
-      number("of"), done, all, json.value("items", Json()) == "%" ? "%" : "views");
+      number("of"), done, all,
+      json.value("items", Json()) == "%"          ? "%"
+        : json.value("items", Json()) == "frames" ? "frames"
+                                                  : "views");
     text += line;
     if (done >= all)
     {

@@ -79,6 +79,7 @@ void vtkRelievoSkyPatches::FindExcess(int level, int column, int row)
     return;
   }
   constexpr double safety = 1.25; // for places between those looked at
+  constexpr double room = 1e-3;   // for sides that bend both ways
   double least = 0.0;
   const Frame frame(*this, level, column, row);
   const int width = Side >> level;
@@ -97,7 +98,7 @@ void vtkRelievoSkyPatches::FindExcess(int level, int column, int row)
       }
     }
   }
-  patch.Excess = -safety * least + 1e-9;
+  patch.Excess = -safety * least + room;
 }
 
 //------------------------------------------------------------------------------

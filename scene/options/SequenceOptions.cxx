@@ -66,6 +66,21 @@ bool IsSequence(const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
+void CheckFramesAlone(const RenderOptions& options, const std::string& option)
+{
+  if (!options.Gltf.empty() && GetFrameName(options.Gltf, 0).empty())
+  {
+    throw UsageError(option +
+      " and --gltf: one file holds all frames: give --gltf a name with %d, or leave out " + option);
+  }
+  if (std::any_of(options.Layers.begin(), options.Layers.end(),
+        [](const std::string& layer) { return vtkRelievoRayLayers::IsFlow(layer.c_str()); }))
+  {
+    throw UsageError(option + ": flow needs the frame before: leave out one of them");
+  }
+}
+
+//------------------------------------------------------------------------------
 void CheckSequence(const RenderOptions& options, const std::set<std::string>& given)
 {
   const MotionChoice& motion = options.Motion;
@@ -128,17 +143,7 @@ void CheckSequence(const RenderOptions& options, const std::set<std::string>& gi
         "--resume and --video: a film is made of kept frames from their PNG files: give --png F "
         "as well");
     }
-    if (!options.Gltf.empty() && GetFrameName(options.Gltf, 0).empty())
-    {
-      throw UsageError(
-        "--resume and --gltf: one file holds all frames: give --gltf a name with %d, or leave out "
-        "--resume");
-    }
-    if (std::any_of(options.Layers.begin(), options.Layers.end(),
-          [](const std::string& layer) { return vtkRelievoRayLayers::IsFlow(layer.c_str()); }))
-    {
-      throw UsageError("--resume: flow needs the frame before: leave out one of them");
-    }
+    CheckFramesAlone(options, "--resume");
   }
   for (const auto& [option, path] : places)
   {

@@ -26,6 +26,10 @@ bool IsSequence(const RenderOptions& options);
 /// file names lack a number. `given`: the names of all options given.
 void CheckSequence(const RenderOptions& options, const std::set<std::string>& given);
 
+/// Throws UsageError for outputs of which no frame can be drawn without the frames before it.
+/// `option`: what asks for frames alone.
+void CheckFramesAlone(const RenderOptions& options, const std::string& option);
+
 /// The file name of a frame: %d or %04d becomes its number. "" for a name with no or several such
 /// places.
 std::string GetFrameName(const std::string& name, int frame);

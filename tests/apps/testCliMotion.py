@@ -5,6 +5,7 @@
 import json
 import math
 import os
+import random
 import shutil
 import subprocess
 import unittest
@@ -202,6 +203,49 @@ class Motion(CliTest):
         self.draw(*words, "--video", "c.mp4", environment=environment)
         self.assertEqual(self.bytes_of("c.mp4"), stills)
 
+    def test_frames_in_parts(self):
+        """Frames and film of processes in a drawn order are those of one process."""
+        environment = self.fake_ffmpeg(
+            'for last; do :; done\ncase $last in file:*) cat > "${last#file:}";; esac\n')
+        words = ("--camera", camera((3, 2, 7)), "--turntable", 5, "--fps", 5, "--png", "f%d.png",
+                 "--report", "r%d.json", "--video", "a.mkv")  # fmt: skip
+        names = [*(f"f{i}.png" for i in range(5)), "a.mkv"]
+        self.draw(*words, environment=environment)
+        whole = {name: self.bytes_of(name) for name in names}
+        for name in names:
+            (self.folder / name).unlink()
+        draw = random.Random(45)
+        count = draw.randint(2, 7)  # more than frames: some parts have none
+        parts = draw.sample(range(1, count + 1), count)
+        for part in parts[:-1]:
+            self.draw(*words, "--part", f"{part}/{count}", whole=True)
+        self.assertIn("missing", self.relievo("verify", "a.mkv.parts", status=3).stdout)
+        self.relievo("merge", "a.mkv.parts", status=1, environment=environment)
+        self.draw(*words, "--part", f"{parts[-1]}/{count}", whole=True)
+        self.assertIn("5 of 5 frames", self.relievo("status", "a.mkv.parts").stdout)
+        self.assertFalse((self.folder / "a.mkv").exists())
+        done = self.draw(*words, "--part=1/1", whole=True)
+        self.assertIn("is complete", done.stdout)
+        damaged = f"f{draw.randrange(5)}.png"
+        (self.folder / damaged).write_bytes(whole[damaged][:-1])
+        said = self.relievo("verify", "a.mkv.parts", status=3).stdout
+        self.assertIn(f"1 damaged: {damaged[1]} ({damaged})", said)
+        self.relievo("merge", "a.mkv.parts", status=1, environment=environment)
+        done = self.draw(*words, "--part", "1/1", whole=True)
+        self.assertIn("written, 1 frames", done.stdout)
+        self.assertIn("a.mkv is missing", self.relievo("verify", "a.mkv.parts", status=3).stdout)
+        self.relievo("merge", "a.mkv.parts", environment=environment)
+        for name in names:
+            self.assertEqual(self.bytes_of(name), whole[name], name)
+        self.relievo("verify", "a.mkv.parts")
+        done = self.draw(*words, "--shading", "flat", "--part", "1/2", status=2, whole=True)
+        self.assertIn("was begun with words", done.stderr)
+        self.draw(*words[:4], "--png", "g%d.png", "--part", "2/2", whole=True)
+        self.assertEqual({name for name in self.names() if name[0] == "g"},
+                         {"g3.png", "g4.png", "g.png.parts"})  # fmt: skip
+        for i in (3, 4):
+            self.assertEqual(self.bytes_of(f"g{i}.png"), whole[f"f{i}.png"])
+
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
     def test_films(self):
         words = ("--camera", camera((3, 2, 7)), "--turntable", 4, "--fps", 5)
@@ -261,6 +305,12 @@ class Motion(CliTest):
             (("--video", "a.mp4"), ["--video", "one frame", "--turntable"]),
             (("--png", "a.png", "--resume"), ["--resume", "one frame"]),
             ((*turn, "--video", "a.mp4", "--resume"), ["--resume", "--png"]),
+            (("--png", "a.png", "--part", "1/2"), ["--part", "one frame", "--turntable"]),
+            ((*turn, "--png", "a%d.png", "--part", "3/2"), ["--part", "3/2"]),
+            ((*turn, "--video", "a.mp4", "--part", "1/2"), ["--part", "--png"]),
+            ((*turn, "--exr", "a%d.exr", "--layers", "flow", "--part", "1/2"), ["--part", "flow"]),
+            ((*turn, "--png", "a%d.png", "--exr", "../a%d.exr", "--part", "1/2"),
+             ["--part", "../a%d.exr"]),
             ((*turn, "--png", "a%d.png", "--fps", 5), ["--fps"]),
             ((*turn, "--video", "a.mp4", "--transparent", "--png", "a%d.png"), ["--transparent"]),
             (("--turntable", 1, "--png", "a%d.png"), ["--turntable", "'1'", "2"]),
@@ -273,7 +323,8 @@ class Motion(CliTest):
             (("--camera-path", "no.json", "--png", "a%d.png"), ["no.json", '"focal_point"']),
         ):
             with self.subTest(words=words):
-                self.refused("render", "block.off", *PLAIN, *words, status=2, says=says)
+                self.refused("render", "block.off", *PLAIN, *words, status=2, says=says,
+                             whole="--part" in words)  # fmt: skip
         self.refused("render", "block.off", *PLAIN, "--camera-path", "gone.json", "--png",
                      "a%d.png", status=1, says="gone.json")  # fmt: skip
 

@@ -81,7 +81,7 @@ class Completion(unittest.TestCase):
         offered = complete("-", known="", program=viewer)  # asks the command beside it
         outputs = {"--png", "--exr", "--baseline", "--gltf", "--portable", "--report", "--layers",
                    "--hdr", "--lens", "--transparent", "--certify", "--turntable", "--camera-path",
-                   "--video", "--fps", "--resume"}  # fmt: skip
+                   "--video", "--fps", "--resume", "--part"}  # fmt: skip
         own = {"--once", "--help", "--version"}
         self.assertEqual(set(offered), set(options_of("render")) - outputs | own)
         self.assertEqual(

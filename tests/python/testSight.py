@@ -2179,7 +2179,8 @@ class Parts(unittest.TestCase):
             self.assertEqual(shared.read_bytes(), whole.read_bytes())
             with self.assertRaisesRegex(ValueError, "--place"):
                 relievo.parts(["sun", str(ground), "-o", "none.vtp"], 2)[0]()
-            for given in (("render a.off --png a.png", 2), ("sun a.off", 2), ([*job, shared], 0)):
+            for given in (("bench sun", 2), ("render a.off", 2), ("sun a.off", 2),
+                          ([*job, shared], 0)):  # fmt: skip
                 with self.assertRaises(ValueError):
                     relievo.parts(*given)
             odd = relievo.parts(["sun", "-o", "odd.vtp", "--", "-odd.off"], 2)[0]
@@ -2192,6 +2193,21 @@ class Parts(unittest.TestCase):
             for given in ((None, 2), (["sun", 3], 2), (job, 1.5), (job, True)):
                 with self.subTest(given), self.assertRaises(ValueError):
                     relievo.parts(*given)
+
+    def test_frames(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ground = pathlib.Path(folder, "ground.off")
+            ground.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+            job = ["render", ground, "--preset=none", "--size=16x12", "--turntable=3"]
+            parts = relievo.parts([*job, f"--png={folder}/f_%02d.png"], 2)
+            parts[1]()
+            self.assertEqual([pathlib.Path(path).name for path in parts[1].files()],
+                             ["f_02.png", "frame-000002.json"])  # fmt: skip
+            self.assertEqual(relievo.status(parts)[0].all, 1)
+            self.assertIn("2 missing: 0, 1", relievo.verify(parts))
+            self.assertEqual(len(parts[0]()), 4)
+            self.assertEqual(relievo.merge(parts), str(pathlib.Path(folder, "f_.png.parts")))
+            self.assertEqual(relievo.verify(parts), "")
 
 
 if __name__ == "__main__":

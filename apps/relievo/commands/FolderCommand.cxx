@@ -3,6 +3,7 @@
 #include "Command.h"
 #include "DatasetParts.h"
 #include "Errors.h"
+#include "FrameParts.h"
 #include "MeshParts.h"
 #include "Messages.h"
 #include "Progress.h"
@@ -54,12 +55,17 @@ public:
     }
     const bool isDataset =
       std::filesystem::exists(folder + "/" + dataset::DatasetSettings, trouble);
-    if (!isDataset && !std::filesystem::exists(folder + "/" + MeshParts::Settings, trouble))
+    const bool isFrames =
+      !isDataset && std::filesystem::exists(folder + "/" + FrameParts::Settings, trouble);
+    if (!isDataset && !isFrames &&
+      !std::filesystem::exists(folder + "/" + MeshParts::Settings, trouble))
     {
-      throw words::UsageError(folder + ": has neither " + dataset::DatasetSettings + " nor " +
-        MeshParts::Settings + "; expected a folder that relievo dataset, sun or visible has begun");
+      throw words::UsageError(folder + ": has neither " + dataset::DatasetSettings + ", " +
+        FrameParts::Settings + " nor " + MeshParts::Settings +
+        "; expected a folder that relievo dataset, render, sun or visible has begun");
     }
-    if (!isDataset && std::filesystem::path(folder).extension() != MeshParts::GetFolder(""))
+    if (!isDataset && !isFrames &&
+      std::filesystem::path(folder).extension() != MeshParts::GetFolder(""))
     {
       throw words::UsageError(folder + ": expected a folder FILE" + MeshParts::GetFolder("") +
         ", whose name says which FILE merge writes");
@@ -67,12 +73,13 @@ public:
     const reading::Messages::Scope scope;
     if (this->Kind == Merge)
     {
-      return MergeParts(folder, isDataset);
+      return MergeParts(folder, isDataset, isFrames);
     }
     const auto check =
       this->Kind == Status ? dataset::WorkCheck::Records : dataset::WorkCheck::Files;
-    const dataset::WorkState state =
-      isDataset ? dataset::VerifyDataset(folder, check) : MeshParts(folder).Verify(check);
+    const dataset::WorkState state = isDataset ? dataset::VerifyDataset(folder, check)
+      : isFrames                               ? FrameParts(folder).Verify(check)
+                                               : MeshParts(folder).Verify(check);
     if (this->Kind == Status)
     {
       std::fputs(dataset::PartProgress::GetText(folder).c_str(), stdout);
@@ -83,13 +90,17 @@ public:
   }
 
 private:
-  static int MergeParts(const std::string& folder, bool isDataset)
+  static int MergeParts(const std::string& folder, bool isDataset, bool isFrames)
   {
     reading::Progress progress;
     if (isDataset)
     {
       dataset::MergeDataset(folder);
       std::printf("%s: its indices are written\n", folder.c_str());
+    }
+    else if (isFrames)
+    {
+      std::printf("%s\n", FrameParts(folder).Merge().c_str());
     }
     else
     {
@@ -109,8 +120,8 @@ std::unique_ptr<Command> MakeMerge()
 {
   return std::make_unique<FolderCommand>("merge", FolderCommand::Merge,
     "merge joins the parts that processes have written to DIR with --part: the result is that of a "
-    "single process, byte for byte. It writes the indices of a data set, or from FILE.parts the "
-    "FILE.");
+    "single process, byte for byte. It writes the indices of a data set, the film of frames, or "
+    "from FILE.parts the FILE.");
 }
 
 //------------------------------------------------------------------------------

@@ -7,13 +7,14 @@ import json
 import operator
 import os
 import pathlib
+import re
 import shlex
 import subprocess
 
 from .._arguments.errors import describe
 from .program import program
 
-_WITH_PARTS = ("dataset", "sun", "visible")
+_WITH_PARTS = ("dataset", "render", "sun", "visible")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -52,21 +53,29 @@ class Part:
     def files(self) -> list[str]:
         """The paths of the files that this part has written so far."""
         top = pathlib.Path(self.directory)
+        base = top
         if self.words[0] == "dataset":
-            settings = top / "dataset.json"
-            views = json.loads(settings.read_text("utf-8"))["views"] if settings.exists() else 0
-            share, rest = divmod(views, self.count)
-            first, end = (n * share + min(n, rest) for n in (self.number - 1, self.number))
-            records = [top / "views" / f"{view:06d}.json" for view in range(first, end)]
+            records = [top / "views" / f"{view:06d}.json"
+                       for view in self._share(top / "dataset.json", "views")]  # fmt: skip
+        elif self.words[0] == "render":
+            base = top.parent
+            records = [top / f"frame-{frame:06d}.json"
+                       for frame in self._share(top / "frames.json", "frames")]  # fmt: skip
         else:
             records = [top / f"part-{self.number:06d}.json"]
         paths = []
         for record in records:
             if record.exists():
                 names = json.loads(record.read_text("utf-8"))["files"]
-                paths += [top / name for name in names if _is_within(top / name, top)]
+                paths += [base / name for name in names if _is_within(base / name, base)]
                 paths.append(record)
         return [str(path) for path in paths]
+
+    def _share(self, settings, items):
+        """The numbers of this part's items, of as many as the settings say."""
+        count = json.loads(settings.read_text("utf-8"))[items] if settings.exists() else 0
+        share, rest = divmod(count, self.count)
+        return range(*(n * share + min(n, rest) for n in (self.number - 1, self.number)))
 
 
 def parts(job, n) -> list[Part]:
@@ -79,9 +88,9 @@ def parts(job, n) -> list[Part]:
                 part.result()
         town = relievo.merge(parts)
 
-    job: a call of `relievo dataset`, `sun` or `visible` without the program's name, as one text
-        (as in a shell) or a list of words. Files are relative to the folder in which parts() is
-        called.
+    job: a call of `relievo dataset`, `render`, `sun` or `visible` without the program's name, as
+        one text (as in a shell) or a list of words. Files are relative to the folder in which
+        parts() is called.
     n: number of parts, from 1. If n is larger than the number of items, some parts have no work.
 
     Parts can be pickled: concurrent.futures, joblib, dask.distributed and submitit take them as
@@ -105,7 +114,8 @@ def parts(job, n) -> list[Part]:
 
 
 def merge(parts) -> str:
-    """Joins the parts of a job, and returns the path of the result: the file, or the data set.
+    """Joins the parts of a job, and returns the path of the result: the file, or the folder of the
+    data set or of frames without a film.
 
     parts: the list from parts(), all of them complete; or the folder of the parts.
 
@@ -114,8 +124,10 @@ def merge(parts) -> str:
     """
     directory = _directory(parts)
     _run(["merge", "--", directory])
-    is_mesh = pathlib.Path(directory, "parts.json").exists()
-    return directory.removesuffix(".parts") if is_mesh else directory
+    frames = pathlib.Path(directory, "frames.json")
+    is_file = (json.loads(frames.read_text("utf-8"))["film"] != "" if frames.exists()
+               else pathlib.Path(directory, "parts.json").exists())  # fmt: skip
+    return directory.removesuffix(".parts") if is_file else directory
 
 
 def verify(parts) -> str:
@@ -135,9 +147,9 @@ def verify(parts) -> str:
 class PartStatus:
     """How far part `number` of `count` is, from status().
 
-    `done` of `all` items are complete: views of a data set, percent of other work. `rate` is the
-    number of items per second, `seconds_left` the time that the rest takes at this rate; both are
-    None as long as nothing is measured. Raises TypeError for fields that are missing.
+    `done` of `all` items are complete: views of a data set, frames, percent of other work. `rate`
+    is the number of items per second, `seconds_left` the time that the rest takes at this rate;
+    both are None as long as nothing is measured. Raises TypeError for fields that are missing.
     """
 
     number: int
@@ -157,9 +169,9 @@ def status(parts) -> list[PartStatus]:
     ValueError for wrong arguments and for a folder that no job has begun.
     """
     top = pathlib.Path(_directory(parts))
-    if not any((top / name).exists() for name in ("dataset.json", "parts.json")):
-        raise ValueError(f"parts: got {str(top)!r}, expected a folder that relievo dataset, sun or "
-                         "visible has begun")
+    if not any((top / name).exists() for name in ("dataset.json", "frames.json", "parts.json")):
+        raise ValueError(f"parts: got {str(top)!r}, expected a folder that relievo dataset, "
+                         "render, sun or visible has begun")
     found = []
     for path in sorted((top / "progress").glob("part-*.json")):
         try:
@@ -190,16 +202,21 @@ def _is_within(path, top):
 
 
 def _output(words):
-    """The value of the option for the output."""
-    name = "--out" if words[0] == "dataset" else "-o"
-    for at, word in enumerate(words):
-        if word == "--":
-            break
-        if word == name and at + 1 < len(words):
-            return words[at + 1]
-        if word.startswith(f"{name}="):
-            return word.partition("=")[2]
-    raise ValueError(f"job: got no {name}, expected the words of {words[0]} with their output")
+    """The value of the option for the output; of frames the film, or a file without its number."""
+    names = {"dataset": ["--out"],
+             "render": ["--video", "--png", "--exr", "--baseline", "--gltf", "--report"]
+             }.get(words[0], ["-o"])  # fmt: skip
+    end = words.index("--") if "--" in words else len(words)
+    for name in names:
+        for at, word in enumerate(words[:end]):
+            if word == name and at + 1 < len(words):
+                value = words[at + 1]
+            elif word.startswith(f"{name}="):
+                value = word.partition("=")[2]
+            else:
+                continue
+            return re.sub("%[0-9]*d", "", value) if words[0] == "render" else value
+    raise ValueError(f"job: got no {names[0]}, expected the words of {words[0]} with their output")
 
 
 def _run(words, folder=None, good=(0,)):
