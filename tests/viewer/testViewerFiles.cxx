@@ -10,13 +10,16 @@
 #include "ComparisonView.h"
 #include "Errors.h"
 #include "Options.h"
+#include "PathGroup.h"
 
+#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRelievoEXRReader.h"
 #include "vtkRelievoLayerSource.h"
+#include "vtkRenderer.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -28,6 +31,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -36,6 +40,7 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QStandardPaths>
 #include <QTableWidget>
 #include <QTreeWidget>
 #include <QtTest>
@@ -185,6 +190,68 @@ private Q_SLOTS:
     this->Window->OpenFiles({ path });
     QCOMPARE(this->Window->GetTrouble(), QString());
     QCOMPARE(this->Window->GetDocument()->Get().Get("--preset"), std::string("studio"));
+  }
+
+  // Views become a path, which is played, kept by sessions, read by the command, and drawn as a
+  // film whose frames are the command's pictures.
+  void cameraPath()
+  {
+    this->Open({ this->WriteScene(), "--camera", "0,0.5,7,0,0.5,0,0,1,0", "--size", "96x64" });
+    this->Grab();
+    auto* path = this->Window->findChild<viewer::PathGroup*>();
+    auto* list = path->findChild<QListWidget*>("views");
+    viewer::PictureView* view = this->Window->GetView();
+    const auto getX = [view] {
+      return view->GetPicture().GetRenderer()->GetActiveCamera()->GetPosition()[0];
+    };
+    path->findChild<QAbstractButton*>("addView")->click();
+    QVERIFY(!path->findChild<QAbstractButton*>("playPath")->isEnabled());
+    view->GetPicture().Turn(-30.0, 0.0);
+    const double last = getX();
+    QVERIFY(std::abs(last + 3.5) < 1e-9);
+    path->findChild<QAbstractButton*>("addView")->click();
+    QCOMPARE(list->count(), 2);
+    Q_EMIT list->itemActivated(list->item(1));
+    list->setCurrentRow(0);
+    Q_EMIT list->itemActivated(list->item(0));
+    QCOMPARE(getX(), 0.0);
+    std::vector<scene::CameraKey> keys = path->GetKeys();
+    keys[1].Time = 0.08;
+    path->SetKeys(keys);
+    path->findChild<QAbstractButton*>("playPath")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(!path->findChild<QAbstractButton*>("playPath")->isChecked(), 60000);
+    QCOMPARE(getX(), last);
+    const QString session = QString::fromStdString(this->Path("path.json"));
+    this->Window->SaveSession(session);
+    path->SetKeys({});
+    this->Window->OpenFiles({ session });
+    this->WaitUntilRead();
+    QCOMPARE(list->count(), 2);
+    const scene::CameraPath read = scene::CameraPath::Read(session.toStdString());
+    QCOMPARE(read.GetKeys()[1].Place.Position[0], last);
+    QCOMPARE(path->GetKeys()[1].Time, 0.08);
+    if (QStandardPaths::findExecutable("ffmpeg").isEmpty())
+    {
+      QSKIP("There is no ffmpeg.");
+    }
+    const QString film = QString::fromStdString(this->Path("film.mkv"));
+    const int* size = view->renderWindow()->GetSize();
+    this->Window->SaveFilm({ film, { size[0], size[1] } });
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QCOMPARE(getX(), last);
+    QProcess decoder;
+    decoder.start(
+      "ffmpeg", { "-v", "error", "-i", film, QString::fromStdString(this->Path("film%d.png")) });
+    QVERIFY(decoder.waitForFinished(60000) && decoder.exitCode() == 0);
+    QVERIFY(QFile::exists(QString::fromStdString(this->Path("film3.png"))) &&
+      !QFile::exists(QString::fromStdString(this->Path("film4.png"))));
+    QCOMPARE(CountDifferent(ReadPNG(this->Path("film3.png")), this->RenderCommand()), 0);
+    QVERIFY(CountDifferent(ReadPNG(this->Path("film2.png")), ReadPNG(this->Path("film3.png"))) > 0);
+    // No path leads to the opposite direction.
+    keys[1].Place.Position = { 0.0, 0.5, -7.0 };
+    path->SetKeys(keys);
+    path->findChild<QAbstractButton*>("playPath")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(this->Window->GetTrouble().contains("180 degrees"), 60000);
   }
 
   // Nothing is overwritten without a question, whatever the name lacks.

@@ -195,6 +195,18 @@ std::optional<PictureChoice> AskPicture(QWidget* parent, const QSize& size)
 }
 
 //------------------------------------------------------------------------------
+std::optional<PictureChoice> AskFilm(QWidget* parent, const QSize& size)
+{
+  QWidget more;
+  auto* rows = new QFormLayout(&more);
+  rows->setContentsMargins(0, 0, 0, 0);
+  auto* pixels = new SizeEdit(size);
+  rows->addRow("Size", pixels);
+  const QString path = AskPlace(parent, "Save film", ".mp4", &more);
+  return path.isEmpty() ? std::nullopt : std::optional<PictureChoice>({ path, pixels->GetSize() });
+}
+
+//------------------------------------------------------------------------------
 std::optional<LayersChoice> AskLayers(QWidget* parent, const QSize& size,
   const std::vector<std::string>& layers, const relievoQt::LightNames& lights)
 {

@@ -42,6 +42,7 @@ struct LayersChoice
 ///@{
 /// None if the user cancels. `size` is the view's, `lights` are the names of layers of lights.
 std::optional<PictureChoice> AskPicture(QWidget* parent, const QSize& size);
+std::optional<PictureChoice> AskFilm(QWidget* parent, const QSize& size);
 std::optional<LayersChoice> AskLayers(QWidget* parent, const QSize& size,
   const std::vector<std::string>& layers, const relievoQt::LightNames& lights);
 ///@}

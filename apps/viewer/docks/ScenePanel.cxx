@@ -7,6 +7,7 @@
 #include "Number.h"
 #include "OptionEdits.h"
 #include "Options.h"
+#include "PathGroup.h"
 #include "Presets.h"
 #include "SceneText.h"
 
@@ -109,6 +110,8 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   this->AddScene();
   this->AddGroup(new ModelGroup(document, this->widget()));
   this->AddCamera();
+  this->Path = new PathGroup(this->widget());
+  this->AddGroup(this->Path);
   QObject::connect(document, &Document::changed, this, &ScenePanel::ShowSettings);
   QObject::connect(document, &Document::factsChanged, this, &ScenePanel::ShowFiles);
   this->ShowSettings();

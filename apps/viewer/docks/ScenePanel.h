@@ -23,12 +23,16 @@ class Number;
 
 namespace viewer
 {
+class PathGroup;
+
 class ScenePanel : public Panel
 {
   Q_OBJECT
 
 public:
   explicit ScenePanel(Document* document, QWidget* parent = nullptr);
+
+  PathGroup* GetPath() { return this->Path; }
 
 private:
   void AddFiles();
@@ -43,6 +47,7 @@ private:
   QComboBox *Preset, *Up, *Ground, *ScaleBar, *Images;
   QCheckBox* Grid;
   relievoQt::Number* Angle;
+  PathGroup* Path;
 };
 }
 

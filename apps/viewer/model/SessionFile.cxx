@@ -25,6 +25,11 @@ namespace
 const char* const Mark = "relievo-viewer";
 constexpr int Version = 1;
 
+constexpr std::pair<const char*, std::array<double, 3> look::CameraPlace::*> Triples[] = {
+  { "position", &look::CameraPlace::Position }, { "focal_point", &look::CameraPlace::FocalPoint },
+  { "view_up", &look::CameraPlace::ViewUp }
+};
+
 [[noreturn]] void Fail(const QString& path, const QString& why)
 {
   throw words::WorkError((path + ": " + why.simplified()).toStdString()); // one line
@@ -51,19 +56,62 @@ void PlaceSun(scene::Settings& view, const QJsonObject& sun)
   view.SetAll("--light", lights);
   view.Parse();
 }
+
+//------------------------------------------------------------------------------
+// Keys as in a file of --camera-path.
+QJsonArray WriteKeys(const std::vector<scene::CameraKey>& keys)
+{
+  QJsonArray all;
+  for (const scene::CameraKey& key : keys)
+  {
+    QJsonObject one{ { "time", key.Time } };
+    for (const auto& [name, member] : Triples)
+    {
+      const std::array<double, 3>& v = key.Place.*member;
+      one[name] = QJsonArray{ v[0], v[1], v[2] };
+    }
+    all.append(one);
+  }
+  return all;
+}
+
+std::vector<scene::CameraKey> ReadKeys(const QJsonArray& all)
+{
+  std::vector<scene::CameraKey> keys;
+  for (const auto& each : all)
+  {
+    const QJsonObject one = each.toObject();
+    scene::CameraKey key{ one["time"].toDouble(), {} };
+    for (const auto& [name, member] : Triples)
+    {
+      const QJsonArray v = one[name].toArray();
+      key.Place.*member = { v[0].toDouble(), v[1].toDouble(), v[2].toDouble() };
+    }
+    if (const std::string expected = look::CheckPlace(key.Place); !expected.empty())
+    {
+      throw words::WorkError("a view of the camera's path: expected " + expected);
+    }
+    keys.push_back(key);
+  }
+  return keys;
+}
 }
 
 //------------------------------------------------------------------------------
-void SaveSession(const QString& path, const scene::Settings& view)
+void SaveSession(const QString& path, const Session& session)
 {
   QJsonArray words;
-  scene::Settings moving = view;
+  scene::Settings moving = session.View;
   moving.MakePathsRelative(QFileInfo(path).absolutePath().toStdString());
   for (const std::string& word : moving.GetWords())
   {
     words.append(QString::fromStdString(word));
   }
-  const QJsonObject root{ { Mark, Version }, { "words", words } };
+  QJsonObject root{ { Mark, Version }, { "words", words } };
+  if (!session.Keys.empty())
+  {
+    root["keys"] = WriteKeys(session.Keys);
+  }
   const std::string place = path.toStdString();
   reading::Outputs outputs;
   outputs.Add("Save", place, {});
@@ -78,7 +126,7 @@ void SaveSession(const QString& path, const scene::Settings& view)
 }
 
 //------------------------------------------------------------------------------
-scene::Settings LoadSession(const QString& path)
+Session LoadSession(const QString& path)
 {
   constexpr std::size_t most = std::size_t(1) << 26;
   std::string text;
@@ -118,7 +166,7 @@ scene::Settings LoadSession(const QString& path)
     }
     PlaceSun(view, root["sun"].toObject());
     view.MakePathsAbsolute(QFileInfo(path).absolutePath().toStdString());
-    return view;
+    return { view, ReadKeys(root["keys"].toArray()) };
   }
   catch (const std::exception& error)
   {

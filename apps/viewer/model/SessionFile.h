@@ -7,15 +7,25 @@
 #ifndef SessionFile_h
 #define SessionFile_h
 
+#include "CameraPath.h"
 #include "Settings.h"
 
 #include <QString>
 
+#include <vector>
+
 namespace viewer
 {
-/// Both throw words::WorkError with the file's name. Files are written completely or not at all.
-void SaveSession(const QString& path, const scene::Settings& view);
-scene::Settings LoadSession(const QString& path);
+struct Session
+{
+  scene::Settings View;
+  std::vector<scene::CameraKey> Keys; ///< of the camera's path
+};
+
+/// Both throw words::WorkError with the file's name. Files are written completely or not at all,
+/// and --camera-path reads them as well.
+void SaveSession(const QString& path, const Session& session);
+Session LoadSession(const QString& path);
 }
 
 #endif

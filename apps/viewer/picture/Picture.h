@@ -73,6 +73,9 @@ public:
   /// Looks at the scene along a direction.
   void LookAlong(const std::array<double, 3>& direction, const std::array<double, 3>& up);
 
+  /// Places the camera.
+  void Place(const look::CameraPlace& view);
+
   ///@{
   /// Steps of the camera: degrees to the right and upwards about the focal point; shares of the
   /// view's height; a factor of the size.

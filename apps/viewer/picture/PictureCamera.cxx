@@ -97,6 +97,18 @@ void Picture::LookAlong(const std::array<double, 3>& direction, const std::array
 }
 
 //------------------------------------------------------------------------------
+void Picture::Place(const look::CameraPlace& view)
+{
+  if (this->GetRenderer())
+  {
+    vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
+    camera->SetPosition(view.Position.data());
+    camera->SetFocalPoint(view.FocalPoint.data());
+    camera->SetViewUp(view.ViewUp.data());
+  }
+}
+
+//------------------------------------------------------------------------------
 void Picture::Turn(double right, double up)
 {
   if (this->GetRenderer())
@@ -117,7 +129,7 @@ void Picture::Move(double right, double up)
     const double half = camera->GetParallelProjection()
       ? camera->GetParallelScale()
       : camera->GetDistance() * std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
-    look::CameraPlace place = look::GetPlace(camera);
+    look::CameraPlace view = look::GetPlace(camera);
     double aside[3], upwards[3];
     vtkMath::Cross(camera->GetDirectionOfProjection(), camera->GetViewUp(), aside);
     vtkMath::Normalize(aside);
@@ -125,11 +137,10 @@ void Picture::Move(double right, double up)
     for (std::size_t i = 0; i < 3; ++i)
     {
       const double step = 2.0 * half * (right * aside[i] + up * upwards[i]);
-      place.Position[i] += step;
-      place.FocalPoint[i] += step;
+      view.Position[i] += step;
+      view.FocalPoint[i] += step;
     }
-    camera->SetPosition(place.Position.data());
-    camera->SetFocalPoint(place.FocalPoint.data());
+    this->Place(view);
   }
 }
 

@@ -22,6 +22,7 @@
 #include "OptionNames.h"
 #include "Options.h"
 #include "PanelSwitch.h"
+#include "PathGroup.h"
 #include "Pick.h"
 #include "PictureView.h"
 #include "Progress.h"
@@ -209,6 +210,7 @@ MainWindow::MainWindow(QWidget* parent)
   AddActions(this, this->Recent);
   this->Connect();
   this->ConnectComparison();
+  this->ConnectPath();
   this->Later.setSingleShot(true);
   this->Pause.setSingleShot(true);
   this->Pause.setInterval(ProbePause);
@@ -248,6 +250,7 @@ void MainWindow::AddPanels()
     },
     ReadAtRest(this->Shown, &GetVolumeFacts), this);
   auto* scene = new ScenePanel(this->Edited, this);
+  this->Path = scene->GetPath();
   QDockWidget* first = AddDock(this, "Scene", "scene", scene);
   this->tabifyDockWidget(first, AddDock(this, "Light", "light", this->Light));
   this->tabifyDockWidget(first, AddDock(this, "Look", "look", look));
@@ -598,7 +601,9 @@ void MainWindow::OpenNext(int step)
 //------------------------------------------------------------------------------
 void MainWindow::OpenSession(const QString& path)
 {
-  this->Open(LoadSession(path), { QFileInfo(path).absoluteFilePath() });
+  const Session session = LoadSession(path);
+  this->Open(session.View, { QFileInfo(path).absoluteFilePath() });
+  this->Path->SetKeys(session.Keys);
   this->IsSafe = true;
 }
 

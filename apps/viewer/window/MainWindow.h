@@ -42,6 +42,7 @@ class LightHandles;
 class LightPanel;
 class MessageBar;
 class PanelSwitch;
+class PathGroup;
 class RecentFiles;
 class ReportPanel;
 class PictureView;
@@ -80,6 +81,7 @@ public:
   void SaveSession(const QString& path);
   void SavePicture(const PictureChoice& choice);
   void CopyPicture();
+  void SaveFilm(const PictureChoice& choice);
   void SaveLayers(const LayersChoice& choice);
   ///@}
 
@@ -128,6 +130,7 @@ private:
   void AddStatus();
   void Connect();
   void ConnectComparison();
+  void ConnectPath();
   void Open(const scene::Settings& settings, const QStringList& recent);
   void Follow();
   void ShowNothing();
@@ -171,6 +174,7 @@ private:
   Document* Edited;
   PictureView* Shown;
   Loader* Reader;
+  PathGroup* Path;
   LightPanel* Light;
   LayersPanel* Layers;
   ReportPanel* Report;
@@ -209,7 +213,7 @@ private:
   bool KeepCamera = false;                                     // instead of Place
   QString ComparedWith;                                        // file of the displayed comparison
   scene::Settings Compared; // of the scene in the displayed comparison
-  bool Behind = false; // edits wait for a sample
+  bool Behind = false;      // edits wait for a sample
   bool Saving = false;
   std::optional<QString> Late; // result of a reading that ended while a picture was saved
   QStringList Opening;         // entries for the recent files after reading

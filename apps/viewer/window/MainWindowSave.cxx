@@ -7,7 +7,9 @@
 #include "Frame.h"
 #include "LightPanel.h"
 #include "Messages.h"
+#include "MotionOptions.h"
 #include "Outputs.h"
+#include "PathGroup.h"
 #include "PictureView.h"
 #include "RecentFiles.h"
 #include "SaveDialog.h"
@@ -15,6 +17,7 @@
 #include "StyledScene.h"
 #include "TimeBar.h"
 #include "Transparency.h"
+#include "VideoFile.h"
 #include "WriteOutputs.h"
 
 #include "vtkImageData.h"
@@ -34,6 +37,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressDialog>
+#include <QScopeGuard>
 
 #include <algorithm>
 
@@ -184,7 +188,7 @@ void MainWindow::SaySaved(const QString& path)
 //------------------------------------------------------------------------------
 void MainWindow::SaveSession(const QString& path)
 {
-  viewer::SaveSession(path, this->GetViewSettings());
+  viewer::SaveSession(path, { this->GetViewSettings(), this->Path->GetKeys() });
   this->Safe = this->Edited->Get();
   this->Recent->Add(QFileInfo(path).absoluteFilePath());
   this->SaySaved(path);
@@ -231,6 +235,78 @@ void MainWindow::SavePicture(const PictureChoice& choice)
     Write<vtkPNGWriter>(choice.Path, picture, this->Shown->GetPicture().GetScene());
     this->SaySaved(choice.Path);
   }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::ConnectPath()
+{
+  QObject::connect(this->Path, &PathGroup::addWanted, this, [this] {
+    if (!this->Shown->IsEmpty())
+    {
+      this->Path->Add(look::GetPlace(this->Shown->GetPicture().GetRenderer()->GetActiveCamera()));
+    }
+  });
+  QObject::connect(this->Path, &PathGroup::viewWanted, this, [this](const look::CameraPlace& view) {
+    this->Shown->GetPicture().Place(view);
+    this->Shown->Draw();
+  });
+  QObject::connect(
+    this->Path, &PathGroup::refused, this, [this](const QString& why) { this->Say(why, true); });
+  QObject::connect(this->Path, &PathGroup::filmWanted, this, [this] {
+    try
+    {
+      const int* size = this->Shown->renderWindow()->GetSize();
+      if (const auto choice = AskFilm(this, { size[0], size[1] }))
+      {
+        this->SaveFilm(*choice);
+      }
+    }
+    catch (const std::exception& error)
+    {
+      this->Say(QString::fromStdString(error.what()), true);
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::SaveFilm(const PictureChoice& choice)
+{
+  Picture& picture = this->Shown->GetPicture();
+  picture.CheckShown("Save film");
+  if (!scene::VideoFile::HasProgram())
+  {
+    throw words::WorkError("Save film: the program ffmpeg is not installed");
+  }
+  const scene::CameraPath path(this->Path->GetKeys(), "Camera path");
+  const double rate = scene::MotionChoice().FramesPerSecond;
+  const std::vector<double> times = path.GetTimes(rate);
+  const std::string place = choice.Path.toStdString();
+  reading::Outputs outputs;
+  outputs.Add("Save", place, scene::GetInputs(picture.GetScene().GetOptions()));
+  const look::CameraPlace before = look::GetPlace(picture.GetRenderer()->GetActiveCamera());
+  const PictureView::OtherSize sized(this->Shown, choice.Size);
+  const auto back = qScopeGuard([&] { picture.Place(before); });
+  scene::VideoFile film(
+    outputs.Temporary(place), place, { choice.Size.width(), choice.Size.height() }, rate);
+  QProgressDialog dialog("Drawing the film", "Cancel", 0, static_cast<int>(times.size()), this);
+  dialog.setWindowModality(Qt::ApplicationModal);
+  dialog.setMinimumDuration(0);
+  int drawn = 0;
+  for (const double time : times)
+  {
+    picture.Place(path.Find(time));
+    const auto frame = this->Draw();
+    if (!frame || dialog.wasCanceled())
+    {
+      this->Say("Stopped: nothing was saved.");
+      return;
+    }
+    film.Add(frame);
+    dialog.setValue(++drawn); // handles events
+  }
+  film.Finish();
+  outputs.Commit();
+  this->SaySaved(choice.Path);
 }
 
 //------------------------------------------------------------------------------

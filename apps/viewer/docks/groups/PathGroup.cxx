@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PathGroup.h"
+
+#include "Number.h"
+
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <exception>
+
+namespace viewer
+{
+namespace
+{
+constexpr int TickMilliseconds = 40;
+constexpr double UsualSeconds = 2.0;
+constexpr int ListHeight = 90;
+
+QPushButton* MakeButton(const QString& text, const QString& name, const QString& tip, QWidget* of)
+{
+  auto* button = new QPushButton(text, of);
+  button->setObjectName(name);
+  button->setToolTip(tip);
+  button->setMinimumWidth(1); // the panel's width is small
+  return button;
+}
+}
+
+//------------------------------------------------------------------------------
+PathGroup::PathGroup(QWidget* parent)
+  : FoldGroup("Camera path", "cameraPath", parent)
+  , List(new QListWidget(this))
+  , Seconds(new relievoQt::Number(0.1, 20.0, 0.1, 2, this))
+{
+  this->List->setObjectName("views");
+  this->List->setFixedHeight(ListHeight);
+  this->List->setToolTip("Views of the camera, in their order; Enter or a double click shows one");
+  this->Seconds->setObjectName("seconds");
+  this->Seconds->SetUnit("s");
+  this->Seconds->SetTypedRange(0.01, 3600.0);
+  this->Seconds->setToolTip("Time from each view to the next");
+  this->Seconds->SetValue(UsualSeconds);
+  auto* adder =
+    MakeButton("Add view", "addView", "Adds the present view behind the last one", this);
+  this->Remover = MakeButton("Remove", "removeView", "Removes the selected view", this);
+  this->Player = MakeButton("Play", "playPath", "Moves the camera through the views", this);
+  this->Player->setCheckable(true);
+  this->Film = MakeButton("Save film...", "saveFilm",
+    "Draws the path as a film, frame by frame as Save picture draws them", this);
+  for (const auto& pair : { std::pair(adder, this->Remover), std::pair(this->Player, this->Film) })
+  {
+    auto* row = new QHBoxLayout();
+    row->addWidget(pair.first, 1);
+    row->addWidget(pair.second, 1);
+    this->GetRows()->addRow(row);
+    if (pair.first == adder)
+    {
+      this->GetRows()->addRow(this->List);
+      this->GetRows()->addRow("Time", this->Seconds);
+    }
+  }
+  this->Tick.setInterval(TickMilliseconds);
+  QObject::connect(adder, &QPushButton::clicked, this, &PathGroup::addWanted);
+  QObject::connect(this->Remover, &QPushButton::clicked, this, &PathGroup::Remove);
+  QObject::connect(this->Player, &QPushButton::toggled, this, &PathGroup::Play);
+  QObject::connect(this->Film, &QPushButton::clicked, this, [this] {
+    this->Player->setChecked(false);
+    Q_EMIT this->filmWanted();
+  });
+  QObject::connect(this->Seconds, &relievoQt::Number::edited, this,
+    [this](double seconds) { this->SetSeconds(seconds); });
+  QObject::connect(&this->Tick, &QTimer::timeout, this, &PathGroup::ShowMoment);
+  QObject::connect(this->List, &QListWidget::itemActivated, this, [this] {
+    Q_EMIT this->viewWanted(this->Keys[static_cast<std::size_t>(this->List->currentRow())].Place);
+  });
+  this->ShowKeys(-1);
+}
+
+//------------------------------------------------------------------------------
+void PathGroup::SetKeys(const std::vector<scene::CameraKey>& keys)
+{
+  this->Player->setChecked(false);
+  this->Keys = keys;
+  if (keys.size() > 1)
+  {
+    this->Seconds->SetValue(keys[1].Time - keys[0].Time);
+  }
+  this->ShowKeys(-1);
+}
+
+//------------------------------------------------------------------------------
+void PathGroup::Add(const look::CameraPlace& view)
+{
+  const double time = this->Keys.empty() ? 0.0 : this->Keys.back().Time + this->Seconds->GetValue();
+  this->Keys.push_back({ time, view });
+  this->ShowKeys(static_cast<int>(this->Keys.size()) - 1);
+}
+
+//------------------------------------------------------------------------------
+void PathGroup::Remove()
+{
+  const int row = this->List->currentRow();
+  if (row >= 0)
+  {
+    this->Keys.erase(this->Keys.begin() + row);
+    this->ShowKeys(std::min(row, static_cast<int>(this->Keys.size()) - 1));
+    this->SetSeconds(this->Seconds->GetValue());
+  }
+}
+
+//------------------------------------------------------------------------------
+void PathGroup::SetSeconds(double seconds)
+{
+  for (std::size_t i = 0; i < this->Keys.size(); ++i)
+  {
+    this->Keys[i].Time = static_cast<double>(i) * seconds;
+  }
+}
+
+//------------------------------------------------------------------------------
+void PathGroup::Play(bool on)
+{
+  this->Player->setText(on ? "Stop" : "Play");
+  on ? this->Tick.start() : this->Tick.stop();
+  this->Played.start();
+}
+
+//------------------------------------------------------------------------------
+// Shows the camera of the time since Play.
+void PathGroup::ShowMoment()
+{
+  try
+  {
+    const scene::CameraPath path(this->Keys, "Camera path");
+    const double time =
+      this->Keys.front().Time + 1e-3 * static_cast<double>(this->Played.elapsed());
+    Q_EMIT this->viewWanted(path.Find(time));
+    if (time >= this->Keys.back().Time)
+    {
+      this->Player->setChecked(false);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    this->Player->setChecked(false);
+    Q_EMIT this->refused(QString::fromStdString(error.what()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void PathGroup::ShowKeys(int current)
+{
+  this->List->clear();
+  for (std::size_t i = 0; i < this->Keys.size(); ++i)
+  {
+    this->List->addItem(QString("View %1").arg(i + 1));
+  }
+  this->List->setCurrentRow(current);
+  this->Remover->setEnabled(!this->Keys.empty());
+  this->Player->setEnabled(this->Keys.size() > 1);
+  this->Film->setEnabled(this->Keys.size() > 1);
+}
+}
