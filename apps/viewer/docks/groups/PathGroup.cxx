@@ -18,7 +18,7 @@ namespace
 {
 constexpr int TickMilliseconds = 40;
 constexpr double UsualSeconds = 2.0;
-constexpr int ListHeight = 90;
+constexpr int LeastHeight = 45, MostHeight = 90; // of the list
 
 QPushButton* MakeButton(const QString& text, const QString& name, const QString& tip, QWidget* of)
 {
@@ -37,7 +37,8 @@ PathGroup::PathGroup(QWidget* parent)
   , Seconds(new relievoQt::Number(0.1, 20.0, 0.1, 2, this))
 {
   this->List->setObjectName("views");
-  this->List->setFixedHeight(ListHeight);
+  this->List->setMinimumHeight(LeastHeight);
+  this->List->setMaximumHeight(MostHeight);
   this->List->setToolTip("Views of the camera, in their order; Enter or a double click shows one");
   this->Seconds->setObjectName("seconds");
   this->Seconds->SetUnit("s");
@@ -51,18 +52,16 @@ PathGroup::PathGroup(QWidget* parent)
   this->Player->setCheckable(true);
   this->Film = MakeButton("Save film...", "saveFilm",
     "Draws the path as a film, frame by frame as Save picture draws them", this);
-  for (const auto& pair : { std::pair(adder, this->Remover), std::pair(this->Player, this->Film) })
-  {
+  const auto addBoth = [this](QWidget* left, QWidget* right) {
     auto* row = new QHBoxLayout();
-    row->addWidget(pair.first, 1);
-    row->addWidget(pair.second, 1);
+    row->addWidget(left, 1);
+    row->addWidget(right, 1);
     this->GetRows()->addRow(row);
-    if (pair.first == adder)
-    {
-      this->GetRows()->addRow(this->List);
-      this->GetRows()->addRow("Time", this->Seconds);
-    }
-  }
+  };
+  addBoth(adder, this->Remover);
+  this->GetRows()->addRow(this->List);
+  this->GetRows()->addRow("Time", this->Seconds);
+  addBoth(this->Player, this->Film);
   this->Tick.setInterval(TickMilliseconds);
   QObject::connect(adder, &QPushButton::clicked, this, &PathGroup::addWanted);
   QObject::connect(this->Remover, &QPushButton::clicked, this, &PathGroup::Remove);
@@ -78,6 +77,7 @@ PathGroup::PathGroup(QWidget* parent)
     Q_EMIT this->viewWanted(this->Keys[static_cast<std::size_t>(this->List->currentRow())].Place);
   });
   this->ShowKeys(-1);
+  this->Fold(true);
 }
 
 //------------------------------------------------------------------------------
@@ -90,6 +90,7 @@ void PathGroup::SetKeys(const std::vector<scene::CameraKey>& keys)
     this->Seconds->SetValue(keys[1].Time - keys[0].Time);
   }
   this->ShowKeys(-1);
+  this->Fold(keys.empty());
 }
 
 //------------------------------------------------------------------------------
