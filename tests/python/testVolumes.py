@@ -924,6 +924,36 @@ class Stages(unittest.TestCase):
         reason = self.reason(scene, "volumes")
         self.assertIn("a volume is not drawn: its image has left-handed axes", reason)
 
+    def test_rings(self):
+        """Rings of VTK's march around a ball with a steep border, in levels of a picture with a
+        very fine step: half the step removes more of them than jitter, which makes noise of them.
+        """
+        z, y, x = grid(40)
+        image = image_of(20 - numpy.sqrt(x**2 + y**2 + z**2))
+        pictures = {}
+        for step, jitter in ((0.02, 0), (1, 0), (1, 1), (0.5, 0), (0.5, 1), (0.25, 0)):
+            scene = Scene(image, [(0, 0), (4, 0), (4.6, 0.3)], step=step)
+            scene.mapper.SetUseJittering(jitter)
+            look = scene.volume.GetProperty()
+            look.ShadeOn()
+            look.GetRGBTransferFunction().AddRGBPoint(12, 0.9, 0.3, 0.2)
+            scene.renderer.SetBackground(1, 1, 1)
+            scene.look_at((19.5, 19.5, 100), (19.5, 19.5, 19.5), far=300)
+            scene.renderer.GetActiveCamera().SetParallelScale(20)
+            pictures[step, jitter] = relievo.screenshot(scene.renderer, size=(150, 150)).astype(int)
+        fine = pictures.pop((0.02, 0))
+        seen = fine.min(-1) < 250
+        rms, worst = {}, {}
+        for key, picture in pictures.items():
+            off = (picture - fine)[seen]
+            rms[key], worst[key] = math.sqrt((off**2).mean()), numpy.abs(off).max()
+            print(f"step {key[0]}, jitter {key[1]}: rms {rms[key]:.2f} levels, worst {worst[key]}")
+        self.assertGreater(rms[1, 0], 0.4)
+        self.assertLess(rms[0.5, 0], 0.6 * rms[1, 0])
+        self.assertLess(rms[0.5, 0], rms[1, 1])
+        self.assertLessEqual(worst[0.5, 0], 2)
+        self.assertLess(rms[0.25, 0], rms[0.5, 0])
+
     def test_blend_and_tone(self):
         """A volume is in the layer blend; the tone curve applies to it."""
         scene = self.box(0.05)

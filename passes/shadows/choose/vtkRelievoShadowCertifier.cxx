@@ -178,7 +178,7 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
     const std::vector<vtkRelievoBox>& others = picture.Work.Others.GetWhole().InMaps;
     certifier.Unfollowed.insert(certifier.Unfollowed.end(), others.begin(), others.end());
   }
-  // Rays do not reach the values of other processes' volumes, whose shade begins a node beside them.
+  // Rays do not reach the values of other processes' volumes, whose shade begins beside them.
   const std::vector<glm::dvec3>& corners = picture.Work.Shade.GetOthers();
   const double beside = picture.Work.Shade.GetNodeDistance();
   for (std::size_t i = 0; i + 8 <= corners.size(); i += 8)
