@@ -33,7 +33,7 @@ struct LightChoice
   double ConeAngle = 180.0;         ///< half the opening, degrees
   std::array<double, 3> Color = { 1.0, 1.0, 1.0 };
   double Intensity = 1.0;
-  bool Fills = false;      ///< a fill light: part of the light of all surroundings
+  bool Fills = false;         ///< a fill light: part of the light of all surroundings
   bool Casts = true;          ///< whether it casts shadows, if there are any
   std::optional<double> Size; ///< a sun's angle in degrees, else a radius; none: the default
   std::string Name;           ///< in reports; empty: its number

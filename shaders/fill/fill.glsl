@@ -6,6 +6,10 @@
 // Defines: RELIEVO_FILL_SKY (there is a grid of the visible sky).
 // Reads these names of VTK's shaders: vertexVC, normalVCVSOutput, diffuseColor, gl_FragData[0].
 
+// The colour of a light that VTK's code leaves out.
+//RELIEVO::Section(Black)
+vec3(0.0)
+
 //RELIEVO::Section(Dec)
 //RELIEVO::Include(formulas/light/irradiance.glsl)
 uniform vec3 relievoFillLight[9]; // in eye space

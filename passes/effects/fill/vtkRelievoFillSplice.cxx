@@ -26,7 +26,8 @@ constexpr const char* FillFile = "fill/fill.glsl";
 void LeaveOut(std::string& fragment, int light)
 {
   const std::string name = "lightColor" + std::to_string(light);
-  const std::string black = "vec3(0.0)";
+  std::string black = vtkRelievoShaderLibrary::GetSection(FillFile, "Black");
+  black.erase(black.find_last_not_of('\n') + 1);
   std::size_t at = fragment.find(name, fragment.find("void main()"));
   while (at != std::string::npos)
   {
@@ -104,7 +105,7 @@ void vtkRelievoFillSplice::SpliceShaders(
   if (this->IsNews(mapper, outcome))
   {
     vtkErrorMacro("Fill lights are drawn one by one on " << mapper->GetClassName() << ": "
-                                                          << outcome.Error << ".");
+                                                         << outcome.Error << ".");
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFillStage.h"
 
+#include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -47,7 +48,7 @@ std::vector<vtkRelievoFrameLight> FindFillLights(vtkRenderer* renderer)
   return found;
 }
 
-// The ground is a flat shadow catcher, in view or not.
+// The ground is a flat shadow catcher, inside the view or not, that the eye is not below.
 vtkRelievoSkyGrid::Ground FindGround(vtkRenderer* renderer)
 {
   vtkRelievoSkyGrid::Ground ground;
@@ -55,14 +56,17 @@ vtkRelievoSkyGrid::Ground FindGround(vtkRenderer* renderer)
   renderer->ComputeVisiblePropBounds(around);
   for (const vtkRelievoFrameProp& prop : vtkRelievoFrameScene::FindVisible(renderer))
   {
-    const double* bounds = vtkRelievoShadowCatcher::Is(prop.Prop) ? prop.Prop->GetBounds() : nullptr;
+    const double* bounds =
+      vtkRelievoShadowCatcher::Is(prop.Prop) ? prop.Prop->GetBounds() : nullptr;
     for (int axis = 0; bounds && axis < 3; ++axis)
     {
       if (bounds[2 * axis] == bounds[2 * axis + 1])
       {
-        ground.Axis = axis;
-        ground.Height = bounds[2 * axis];
-        ground.Above = around[2 * axis + 1] - ground.Height >= ground.Height - around[2 * axis];
+        const double height = bounds[2 * axis];
+        const bool above = around[2 * axis + 1] - height >= height - around[2 * axis];
+        const double eye = renderer->GetActiveCamera()->GetPosition()[axis];
+        ground =
+          above == (eye > height) ? vtkRelievoSkyGrid::Ground{ axis, above, height } : ground;
       }
     }
   }
@@ -192,8 +196,7 @@ bool vtkRelievoFillStage::Prepare(vtkRelievoFrameContext& context)
     const glm::dvec3 direction(from[0] - to[0], from[1] - to[1], from[2] - to[2]);
     const double* color = light.Light->GetDiffuseColor();
     towards.push_back(glm::normalize(glm::dmat3(context.View.WorldToView) * direction));
-    colors.push_back(
-      light.Light->GetIntensity() * glm::dvec3(color[0], color[1], color[2]));
+    colors.push_back(light.Light->GetIntensity() * glm::dvec3(color[0], color[1], color[2]));
     structure.Lights.push_back(light.ShaderIndex);
   }
   in.Coefficients = vtkRelievoFillLight::GetCoefficients(towards, colors);

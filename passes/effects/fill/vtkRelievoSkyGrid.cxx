@@ -13,8 +13,8 @@
 
 namespace
 {
-constexpr int Cells = 48;  // along the longest side of the scene
-constexpr int Margin = 3;  // cells around it
+constexpr int Cells = 48;     // along the longest side of the scene
+constexpr int Margin = 3;     // cells around it
 constexpr double Away = 1.75; // cells from a surface to the place at which it looks the sky up
 constexpr double MostTriangles = 4e6; // visited: others lie close to them
 
@@ -92,7 +92,8 @@ bool vtkRelievoSkyGrid::Fit(const std::vector<vtkRelievoPlacedMesh>& meshes, con
       for (int corner = 0; corner < 8; ++corner)
       {
         const glm::dvec3 at(toWorld *
-          glm::dvec4(bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)], 1.0));
+          glm::dvec4(
+            bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)], 1.0));
         low = glm::min(low, at);
         high = glm::max(high, at);
       }
@@ -110,36 +111,33 @@ bool vtkRelievoSkyGrid::Fit(const std::vector<vtkRelievoPlacedMesh>& meshes, con
   {
     const int axis = ground.Axis;
     this->Size[axis] -= Margin;
-    this->Origin[axis] = ground.Above ? ground.Height : ground.Height - this->Cell * this->Size[axis];
+    this->Origin[axis] =
+      ground.Above ? ground.Height : ground.Height - this->Cell * this->Size[axis];
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSkyGrid::Add(const glm::dvec3& place)
+void vtkRelievoSkyGrid::Add(const glm::vec3& place)
 {
-  const glm::ivec3 at = glm::clamp(glm::ivec3((place - this->Origin) / this->Cell), glm::ivec3(0),
-    this->Size - 1);
+  const glm::ivec3 at = glm::clamp(glm::ivec3(place), glm::ivec3(0), this->Size - 1);
   this->Occupied[this->GetIndex(at.x, at.y, at.z)] = 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSkyGrid::AddTriangle(const glm::dvec3 corners[3])
+// The corners have been added.
+void vtkRelievoSkyGrid::AddTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 {
-  double longest = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    longest = std::max(longest, glm::length(corners[(i + 1) % 3] - corners[i]));
-  }
-  const int steps =
-    std::clamp(static_cast<int>(std::ceil(1.5 * longest / this->Cell)), 1, 3 * Cells);
-  for (int i = 0; i <= steps; ++i)
+  const glm::vec3 sides = glm::max(glm::max(a, b), c) - glm::min(glm::min(a, b), c);
+  const int steps = static_cast<int>(
+    std::min(3.F * Cells, std::ceil(1.5F * std::max({ sides.x, sides.y, sides.z }))));
+  for (int i = 0; steps > 1 && i <= steps; ++i)
   {
     for (int j = 0; i + j <= steps; ++j)
     {
-      const double u = static_cast<double>(i) / steps;
-      const double v = static_cast<double>(j) / steps;
-      this->Add((1.0 - u - v) * corners[0] + u * corners[1] + v * corners[2]);
+      const float u = static_cast<float>(i) / static_cast<float>(steps);
+      const float v = static_cast<float>(j) / static_cast<float>(steps);
+      this->Add((1.F - u - v) * a + u * b + v * c);
     }
   }
 }
@@ -151,21 +149,27 @@ void vtkRelievoSkyGrid::Occupy(const std::vector<vtkRelievoPlacedMesh>& meshes)
   double triangles = 0.0;
   for (const vtkRelievoPlacedMesh& mesh : meshes)
   {
-    triangles += static_cast<double>(mesh.Mesh->GetNumberOfPolys() + mesh.Mesh->GetNumberOfStrips()) *
+    triangles +=
+      static_cast<double>(mesh.Mesh->GetNumberOfPolys() + mesh.Mesh->GetNumberOfStrips()) *
       static_cast<double>(mesh.GetNumberOfPlaces());
   }
   const auto stride = static_cast<vtkIdType>(std::ceil(std::max(1.0, triangles / MostTriangles)));
   vtkIdType number = 0;
+  std::vector<glm::vec3> points; // in cells
   for (const vtkRelievoPlacedMesh& mesh : meshes)
   {
+    points.resize(static_cast<std::size_t>(mesh.Mesh->GetNumberOfPoints()));
     for (std::size_t place = 0; place < mesh.GetNumberOfPlaces(); ++place)
     {
       const glm::dmat4 toWorld = mesh.GetPlace(place);
-      const auto getPoint = [&](vtkIdType id) {
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
         double point[3];
-        mesh.Mesh->GetPoint(id, point);
-        return glm::dvec3(toWorld * glm::dvec4(point[0], point[1], point[2], 1.0));
-      };
+        mesh.Mesh->GetPoint(static_cast<vtkIdType>(i), point);
+        const glm::dvec3 at(toWorld * glm::dvec4(point[0], point[1], point[2], 1.0));
+        points[i] = glm::vec3((at - this->Origin) / this->Cell);
+        this->Add(points[i]);
+      }
       for (const bool strips : { false, true })
       {
         const auto cells = vtk::TakeSmartPointer(
@@ -181,9 +185,9 @@ void vtkRelievoSkyGrid::Occupy(const std::vector<vtkRelievoPlacedMesh>& meshes)
           cells->GetCurrentCell(size, ids);
           for (vtkIdType i = 2; i < size; ++i)
           {
-            const glm::dvec3 corners[3] = { getPoint(ids[strips ? i - 2 : 0]),
-              getPoint(ids[i - 1]), getPoint(ids[i]) };
-            this->AddTriangle(corners);
+            this->AddTriangle(points[static_cast<std::size_t>(ids[strips ? i - 2 : 0])],
+              points[static_cast<std::size_t>(ids[i - 1])],
+              points[static_cast<std::size_t>(ids[i])]);
           }
         }
       }
@@ -266,9 +270,8 @@ void vtkRelievoSkyGrid::Look(const Ground& ground)
         at[first] = i;
         at[second] = j;
         const std::size_t here = this->GetIndex(at.x, at.y, at.z);
-        ofGround[static_cast<std::size_t>(j) * size[first] + i] = this->Occupied[here]
-          ? 0.F
-          : sums[here][axis] * static_cast<float>(up) / whole;
+        ofGround[static_cast<std::size_t>(j) * size[first] + i] =
+          this->Occupied[here] ? 0.F : sums[here][axis] * static_cast<float>(up) / whole;
       }
     }
     for (const glm::ivec3& direction : directions)

@@ -20,7 +20,7 @@ public:
   // A plane below the scene that reflects the light of the sky that it sees.
   struct Ground
   {
-    int Axis = -1; // -1: there is none
+    int Axis = -1;     // -1: there is none
     bool Above = true; // the scene lies above the plane, in the direction of the axis
     double Height = 0.0;
 
@@ -62,8 +62,8 @@ private:
 
   bool Fit(const std::vector<vtkRelievoPlacedMesh>& meshes, const Ground& ground);
   void Occupy(const std::vector<vtkRelievoPlacedMesh>& meshes);
-  void AddTriangle(const glm::dvec3 corners[3]);
-  void Add(const glm::dvec3& place);
+  void AddTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c); // in cells
+  void Add(const glm::vec3& place);
   void Look(const Ground& ground);
   std::size_t GetIndex(int x, int y, int z) const
   {

@@ -31,7 +31,8 @@ void vtkRelievoFillLight::Make(vtkLight* light)
 //------------------------------------------------------------------------------
 bool vtkRelievoFillLight::Is(vtkLight* light)
 {
-  return !light->GetPositional() && light->GetInformation() && light->GetInformation()->Has(GetFillKey());
+  return !light->GetPositional() && light->GetInformation() &&
+    light->GetInformation()->Has(GetFillKey());
 }
 
 //------------------------------------------------------------------------------
