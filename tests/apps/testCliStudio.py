@@ -120,7 +120,8 @@ class Studio(CliTest):
         for words in ([], ["--stage", "fill:occlusion=0"]):
             picture = self.picture(
                 "pole.obj", "--camera", "20,2.5,0,0,2.5,0,0,1,0", "--parallel-scale", 3,
-                "--up", "y", "--light", "sun:-1,0.5,0", "--fill", 1, "--shadows", "off", *words)  # fmt: skip
+                "--up", "y", "--light", "sun:-1,0.5,0", "--fill", 1, "--shadows", "off",
+                *words)  # fmt: skip
             column = picture[:, 120].mean(axis=-1)  # 30 pixels a unit, the top at row 15
             shades.append((column[158:163].mean(), column[30:60].mean()))
         (foot, top), (foot_off, top_off) = shades

@@ -35,7 +35,8 @@ public:
 
   bool IsEmpty() const { return this->Texels.empty(); }
 
-  // Number of cells along each axis; their values as in shaders/formulas/light/sky_grid.glsl, x fastest.
+  // Number of cells along each axis, and their values, x fastest:
+  // shaders/formulas/light/sky_grid.glsl.
   const glm::ivec3& GetSize() const { return this->Size; }
   const std::vector<std::uint8_t>& GetTexels() const { return this->Texels; }
 

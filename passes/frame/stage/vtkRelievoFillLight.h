@@ -21,9 +21,8 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoFillLight
   static void Make(vtkLight* light);
   static bool Is(vtkLight* light);
 
-  // The nine coefficients of the radiance of distant lights (shaders/formulas/irradiance.glsl): a
-  // white surface that faces a light of `colors` by VTK's lighting has that colour. `towards`: unit
-  // vectors to the lights.
+  // The nine coefficients of distant lights, for shaders/formulas/light/irradiance.glsl, which
+  // approximates the light of VTK's own shaders. `towards`: unit vectors to the lights.
   static std::array<glm::vec3, 9> GetCoefficients(
     const std::vector<glm::dvec3>& towards, const std::vector<glm::dvec3>& colors);
 };
