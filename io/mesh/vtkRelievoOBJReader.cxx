@@ -103,13 +103,12 @@ void vtkRelievoOBJReader::Parse(vtkPolyData* output)
       " with a coordinate that is no finite number" + FirstOf(content.WrongPoints) + " and the " +
       Count(cells, "cell") + " of such points");
   }
-  for (const auto& [wrong, noun] : { std::pair(content.WrongNormals, "normal"),
-         std::pair(content.WrongTextureCoordinates, "texture coordinate") })
+  for (const auto& [invalid, noun] : { std::pair(content.WrongNormals, "invalid normal"),
+         std::pair(content.WrongTextureCoordinates, "invalid texture coordinate") })
   {
-    if (wrong.Count > 0)
+    if (invalid.Count > 0)
     {
-      this->Notes.push_back("read without " + Count(wrong.Count, noun) +
-        (wrong.Count == 1 ? " that is not one" : " that are none") + FirstOf(wrong));
+      this->Notes.push_back("read without " + Count(invalid.Count, noun) + FirstOf(invalid));
     }
   }
   if (content.Curves.Count > 0)

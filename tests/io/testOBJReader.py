@@ -152,7 +152,7 @@ class OBJ(unittest.TestCase):
                          "f 1//1 2//2 3//3 4//4\n")  # fmt: skip
         normals = self.array(mesh.GetPointData(), "Normals")
         numpy.testing.assert_array_equal(normals, 3 * [(0, 0, 1)] + [(0, 0, -1)])
-        self.assertEqual(self.notes, ["read without 3 normals that are none (the first on line 5)"])
+        self.assertEqual(self.notes, ["read without 3 invalid normals (the first on line 5)"])
 
     def test_normals_of_lines(self):
         """A line has the normals of the faces at its points, or outward ones."""
@@ -172,7 +172,7 @@ class OBJ(unittest.TestCase):
             [(0, 0), (1, 0.5), (0.25, 0), (0, 0), (1, 0.5), (0, 0), (0, 0), (0, 0)],
         )
         self.assertIsNone(mesh.GetPointData().GetNormals())
-        self.assertEqual(self.notes, ["read without 1 texture coordinate that is not one (line 8)"])
+        self.assertEqual(self.notes, ["read without 1 invalid texture coordinate (line 8)"])
 
     def test_both(self):
         """Corners with all four kinds of indices."""

@@ -108,7 +108,7 @@ def prepare(own):
         elif not _is_included(sys.modules[own]):
             raise ImportError(
                 f"relievo: another {own} than Relievo's has been imported, from "
-                f"{list(sys.modules[own].__path__)[0]}: import relievo before what imports that"
+                f"{list(sys.modules[own].__path__)[0]}: import relievo first"
             )
     sys.meta_path.insert(0, Alias("relievo.vtk", own))
 
@@ -134,6 +134,6 @@ def provide_vtkmodules() -> None:
     if _USUAL in sys.modules:
         raise ImportError(
             f"provide_vtkmodules: {_USUAL} has been imported already, from "
-            f"{list(sys.modules[_USUAL].__path__)[0]}: call it before what imports that"
+            f"{list(sys.modules[_USUAL].__path__)[0]}: call it before that"
         )
     sys.meta_path.insert(0, Alias(_USUAL, own))
