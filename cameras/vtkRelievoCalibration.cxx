@@ -50,7 +50,7 @@ struct Parsed
   Numbers Values;
   Numbers Intrinsics;
   double Angle = 0.0;
-  std::string Wrong; // error message, or empty
+  std::string Error; // error message, or empty
 };
 
 Parsed Parse(const std::string& words)
@@ -62,7 +62,7 @@ Parsed Parse(const std::string& words)
   const std::string got = "got '" + words + "', expected ";
   if (!kind)
   {
-    parsed.Wrong = got + vtkRelievoCalibration::GetForms(true) + ", " +
+    parsed.Error = got + vtkRelievoCalibration::GetForms(true) + ", " +
       vtkRelievoCalibration::GetForms(false) + ", or a file .yml, .yaml, .json, .xml or .txt";
     return parsed;
   }
@@ -120,7 +120,7 @@ Parsed Parse(const std::string& words)
   {
     good = kind->IsGood(parsed.Values);
   }
-  parsed.Wrong = good ? "" : got + form;
+  parsed.Error = good ? "" : got + form;
   return parsed;
 }
 }
@@ -181,7 +181,7 @@ std::vector<std::string> vtkRelievoCalibration::GetNames()
 //------------------------------------------------------------------------------
 std::string vtkRelievoCalibration::Check(RELIEVO_TEXT words)
 {
-  return IsFile(words) ? "" : Parse(words).Wrong;
+  return IsFile(words) ? "" : Parse(words).Error;
 }
 
 //------------------------------------------------------------------------------
@@ -190,9 +190,9 @@ bool vtkRelievoCalibration::SetWords(RELIEVO_TEXT words)
   this->FailureText.clear();
   const bool isFile = IsFile(words);
   const Parsed parsed = isFile ? Parsed() : Parse(words);
-  if (!parsed.Wrong.empty())
+  if (!parsed.Error.empty())
   {
-    return this->Fail(parsed.Wrong);
+    return this->Fail(parsed.Error);
   }
   this->Words = words;
   this->Kind = parsed.Kind;
@@ -213,9 +213,9 @@ bool vtkRelievoCalibration::Read()
     return true;
   }
   const vtkRelievoCalibrationFile found = vtkRelievoCalibrationFile::Read(this->Words);
-  if (!found.Wrong.empty())
+  if (!found.Error.empty())
   {
-    return this->Fail(this->Words + ": " + found.Wrong);
+    return this->Fail(this->Words + ": " + found.Error);
   }
   this->Kind = found.Kind;
   this->Numbers = found.Values;
@@ -312,11 +312,11 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeCamera(vtkCamera* view, int co
     return nullptr;
   }
   const double* const position = view->GetPosition();
-  const std::string wrong =
+  const std::string error =
     vtkRelievoCameraModel::CheckView(position, view->GetFocalPoint(), view->GetViewUp());
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    this->Fail(wrong);
+    this->Fail(error);
     return nullptr;
   }
   vtkRelievoCameraModel* made = this->MakeLens(view, columns, rows);

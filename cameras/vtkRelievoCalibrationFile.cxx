@@ -192,7 +192,7 @@ private:
 };
 
 // The first document. `wrong` receives an error message, or remains empty.
-Json ReadYAML(const std::string& text, std::string& wrong)
+Json ReadYAML(const std::string& text, std::string& message)
 {
   EntryPicker picker;
   try
@@ -202,7 +202,7 @@ Json ReadYAML(const std::string& text, std::string& wrong)
   }
   catch (const YAML::Exception& error)
   {
-    wrong = "line " + std::to_string(error.mark.line + 1) + ": expected YAML, got " + error.msg;
+    message = "line " + std::to_string(error.mark.line + 1) + ": expected YAML, got " + error.msg;
   }
   return picker.File;
 }
@@ -307,13 +307,13 @@ void TakePart(const Json& file, vtkRelievoCalibrationFile& found)
     if (!(region.is_null() || region.is_object()) || !offset || !size || part < 1 ||
       *offset + part > all)
     {
-      found.Wrong = "roi: got " + ToText(region) +
+      found.Error = "roi: got " + ToText(region) +
         ", expected x_offset, y_offset, width and height of a part of the picture";
       return;
     }
     if (!together || part / bin < 1)
     {
-      found.Wrong = name + ": got " + ToText(binning) + ", expected a whole number of pixels";
+      found.Error = name + ": got " + ToText(binning) + ", expected a whole number of pixels";
       return;
     }
     found.Size[i] = part / bin;
@@ -376,8 +376,8 @@ std::string TakeKalibr(Json& file)
 vtkRelievoCalibrationFile Interpret(Json file)
 {
   vtkRelievoCalibrationFile found;
-  found.Wrong = TakeKalibr(file);
-  if (!found.Wrong.empty())
+  found.Error = TakeKalibr(file);
+  if (!found.Error.empty())
   {
     return found;
   }
@@ -387,7 +387,7 @@ vtkRelievoCalibrationFile Interpret(Json file)
     const double pixels = size.is_number() ? size.get<double>() : 0.0;
     if (!(pixels >= 1.0 && pixels <= 1 << 20 && pixels == std::floor(pixels)))
     {
-      found.Wrong = name + ": " + (size.is_null() ? "it is missing, " : "") +
+      found.Error = name + ": " + (size.is_null() ? "it is missing, " : "") +
         "expected a whole number of pixels";
       return found;
     }
@@ -397,20 +397,20 @@ vtkRelievoCalibrationFile Interpret(Json file)
   const Numbers k = GetMatrix(given.Value).value_or(Numbers());
   if (!vtkRelievoCalibrationFile::IsMatrix(k))
   {
-    found.Wrong = given.Name + ": " + (given.Value.is_null() ? "it is missing, " : "") +
+    found.Error = given.Name + ": " + (given.Value.is_null() ? "it is missing, " : "") +
       "expected 9 numbers, row by row: fx, skew, cx, 0, fy, cy, 0, 0, 1, fx and fy above 0";
     return found;
   }
   found.Intrinsics = { k[0], k[4], k[1], k[2], k[5] };
   TakePart(file, found);
-  if (!found.Wrong.empty())
+  if (!found.Error.empty())
   {
     return found;
   }
   found.Kind = GetLensName(file);
   if (found.Kind.empty())
   {
-    found.Wrong = "distortion_model: got " + ToText(FindEntry(file, MODEL).Value) +
+    found.Error = "distortion_model: got " + ToText(FindEntry(file, MODEL).Value) +
       ", expected plumb_bob, radtan, rational_polynomial, equidistant, fisheye, division or none";
     return found;
   }
@@ -421,7 +421,7 @@ vtkRelievoCalibrationFile Interpret(Json file)
     values ? GetMiscount(coefficients.Value, values->size()) : std::string();
   if (!miscount.empty())
   {
-    found.Wrong = coefficients.Name + ": " + miscount;
+    found.Error = coefficients.Name + ": " + miscount;
     return found;
   }
   // OpenCV's longer models equal this one if the further coefficients are 0.
@@ -440,17 +440,17 @@ vtkRelievoCalibrationFile Interpret(Json file)
   }
   if (!values || !AreAllFinite(*values) || !isTaken())
   {
-    found.Wrong = coefficients.Name + ": " +
+    found.Error = coefficients.Name + ": " +
       (values ? "got " + std::to_string(values->size()) + " numbers, " : "") + "expected " +
       vtkRelievoLensCamera::GetCounts(lens) + " finite numbers for the lens " + found.Kind +
       ", and zeros after them";
     if (found.Kind == "brown" && found.Values.size() == 3)
     {
-      found.Wrong += "; the third is p1 in OpenCV's order, k3 comes after p1 and p2";
+      found.Error += "; the third is p1 in OpenCV's order, k3 comes after p1 and p2";
     }
     else if (found.Kind == "brown" && found.Values.size() > 8)
     {
-      found.Wrong += "; thin prisms (s1 to s4) and tilted sensors (tau) are not supported";
+      found.Error += "; thin prisms (s1 to s4) and tilted sensors (tau) are not supported";
     }
     return found;
   }
@@ -513,7 +513,7 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
   const bool isFile = std::filesystem::is_regular_file(path, trouble);
   if (std::filesystem::exists(path, trouble) && !isFile)
   {
-    failed.Wrong = "expected a file, not a folder, a pipe or a device";
+    failed.Error = "expected a file, not a folder, a pipe or a device";
     return failed;
   }
   const bool isLarge = isFile && std::filesystem::file_size(path, trouble) > MostBytes;
@@ -525,7 +525,7 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
   }
   if (!stream.is_open() || stream.bad() || isLarge)
   {
-    failed.Wrong = isLarge ? "it is too large for a calibration" : "cannot be read";
+    failed.Error = isLarge ? "it is too large for a calibration" : "cannot be read";
     return failed;
   }
   std::string extension = GetExtension(path);
@@ -534,7 +534,7 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
     extension.resize(extension.size() - 3);
     if (!vtkRelievoCalibrationForms::Unpack(text, MostBytes))
     {
-      failed.Wrong = "expected complete gzip data no larger than a calibration";
+      failed.Error = "expected complete gzip data no larger than a calibration";
       return failed;
     }
   }
@@ -553,23 +553,23 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
   }
   else if (extension == ".txt")
   {
-    file = vtkRelievoCalibrationForms::ReadCOLMAP(text, failed.Wrong);
-    if (!failed.Wrong.empty())
+    file = vtkRelievoCalibrationForms::ReadCOLMAP(text, failed.Error);
+    if (!failed.Error.empty())
     {
       return failed;
     }
   }
   else
   {
-    file = ReadYAML(text, failed.Wrong);
-    if (!failed.Wrong.empty())
+    file = ReadYAML(text, failed.Error);
+    if (!failed.Error.empty())
     {
       return failed;
     }
   }
   if (!file.is_object())
   {
-    failed.Wrong = std::string("it is no ") +
+    failed.Error = std::string("it is no ") +
       (extension == ".xml"       ? "opencv_storage of XML"
           : extension == ".json" ? "JSON object"
                                  : "YAML map") +

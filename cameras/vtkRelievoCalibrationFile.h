@@ -16,7 +16,7 @@ struct vtkRelievoCalibrationFile
   std::vector<double> Values;     // the coefficients
   std::vector<double> Intrinsics; // fx, fy, skew, cx, cy
   int Size[2] = { 0, 0 };
-  std::string Wrong; // error message, or empty
+  std::string Error; // error message, or empty
 
   static vtkRelievoCalibrationFile Read(const std::string& path);
 

@@ -154,7 +154,7 @@ Json vtkRelievoCalibrationForms::ReadXML(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-Json vtkRelievoCalibrationForms::ReadCOLMAP(const std::string& text, std::string& wrong)
+Json vtkRelievoCalibrationForms::ReadCOLMAP(const std::string& text, std::string& error)
 {
   std::vector<std::vector<std::string>> cameras;
   for (const std::string& line : vtkRelievoCalibrationFile::Split(text, '\n'))
@@ -167,7 +167,7 @@ Json vtkRelievoCalibrationForms::ReadCOLMAP(const std::string& text, std::string
   }
   if (cameras.size() != 1 || cameras[0].size() < 4)
   {
-    wrong = (cameras.size() > 1 ? "it has " + std::to_string(cameras.size()) + " lines"
+    error = (cameras.size() > 1 ? "it has " + std::to_string(cameras.size()) + " lines"
                                 : std::string("it has no camera")) +
       ", expected COLMAP's cameras.txt of one camera: CAMERA_ID MODEL WIDTH HEIGHT PARAMS...";
     return {};
@@ -177,10 +177,10 @@ Json vtkRelievoCalibrationForms::ReadCOLMAP(const std::string& text, std::string
     [&words](const ColmapModel& each) { return words[1] == each.Name; });
   if (model == std::end(ColmapModels))
   {
-    wrong = "no lens supports the model '" + words[1] + "', expected one of";
+    error = "no lens supports the model '" + words[1] + "', expected one of";
     for (const ColmapModel& each : ColmapModels)
     {
-      wrong += std::string(&each == ColmapModels ? " " : ", ") + each.Name;
+      error += std::string(&each == ColmapModels ? " " : ", ") + each.Name;
     }
     return {};
   }
@@ -198,7 +198,7 @@ Json vtkRelievoCalibrationForms::ReadCOLMAP(const std::string& text, std::string
   const std::size_t count = 2 + model->Focals + 2 + model->Coefficients;
   if (numbers.size() != count || words.size() != 2 + count)
   {
-    wrong = "got " + std::to_string(words.size() - 4) + " parameters of " + model->Name +
+    error = "got " + std::to_string(words.size() - 4) + " parameters of " + model->Name +
       ", expected " + std::to_string(count - 2) + " finite numbers";
     return {};
   }

@@ -378,10 +378,10 @@ bool vtkRelievoFrameComparison::Compare()
     {
       return this->Fail(std::string(given[i].first) + " is missing; set or read it first");
     }
-    const std::string wrong = frames[i].Read(given[i].second);
-    if (!wrong.empty())
+    const std::string message = frames[i].Read(given[i].second);
+    if (!message.empty())
     {
-      return this->Fail(std::string(given[i].first) + " " + wrong);
+      return this->Fail(std::string(given[i].first) + " " + message);
     }
   }
   if (frames[0].HasRecord && frames[1].HasRecord && frames[0].IsPortable != frames[1].IsPortable)

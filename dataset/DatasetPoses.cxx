@@ -423,11 +423,11 @@ void SetFromPose(
   }
   const std::vector<double> position = take("position", 3);
   const std::vector<double> target = take("target", 3);
-  const std::string wrong =
+  const std::string message =
     vtkRelievoCameraModel::CheckView(position.data(), target.data(), up.data());
-  if (!wrong.empty())
+  if (!message.empty())
   {
-    throw UsageError(where + ": " + wrong);
+    throw UsageError(where + ": " + message);
   }
   camera->LookAt(position.data(), target.data(), up.data());
 }

@@ -272,7 +272,7 @@ std::string vtkRelievoParameter::Set(const std::vector<double>& values) const
 //------------------------------------------------------------------------------
 std::string vtkRelievoParameter::Parse(const std::string& words) const
 {
-  const std::string wrong = "'" + words + "' was given, expected " + this->GetExpected();
+  const std::string error = "'" + words + "' was given, expected " + this->GetExpected();
   if (this->Type == TEXT)
   {
     this->SetText(words);
@@ -284,13 +284,13 @@ std::string vtkRelievoParameter::Parse(const std::string& words) const
     static const char* const off[] = { "off", "false", "no", "0" };
     const bool isOn = std::find(std::begin(on), std::end(on), words) != std::end(on);
     const bool isOff = std::find(std::begin(off), std::end(off), words) != std::end(off);
-    return isOn || isOff ? this->Set({ isOn ? 1.0 : 0.0 }) : wrong;
+    return isOn || isOff ? this->Set({ isOn ? 1.0 : 0.0 }) : error;
   }
   if (this->Type == CHOICE)
   {
     const auto found = std::find(this->Choices.begin(), this->Choices.end(), words);
     return found == this->Choices.end()
-      ? wrong
+      ? error
       : this->Set({ static_cast<double>(found - this->Choices.begin()) });
   }
   double color[3];
@@ -309,9 +309,9 @@ std::string vtkRelievoParameter::Parse(const std::string& words) const
     double value = 0.0;
     if (!ReadNumber(part, value))
     {
-      return wrong;
+      return error;
     }
     values.push_back(value);
   }
-  return this->Set(values).empty() ? std::string() : wrong;
+  return this->Set(values).empty() ? std::string() : error;
 }

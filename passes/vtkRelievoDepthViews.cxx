@@ -27,25 +27,25 @@ vtkStandardNewMacro(vtkRelievoDepthViews);
 namespace
 {
 // The view and the pass that a renderer had.
-class KeptView
+class ScopedView
 {
 public:
-  explicit KeptView(vtkRenderer* renderer)
+  explicit ScopedView(vtkRenderer* renderer)
     : Renderer(renderer)
     , Guard(renderer)
     , Attached(vtkRelievoPass::SafeDownCast(renderer->GetPass()) != nullptr)
   {
     vtkRelievoPass::Attach(renderer);
   }
-  ~KeptView()
+  ~ScopedView()
   {
     if (!this->Attached)
     {
       vtkRelievoPass::Detach(this->Renderer);
     }
   }
-  KeptView(const KeptView&) = delete;
-  void operator=(const KeptView&) = delete;
+  ScopedView(const ScopedView&) = delete;
+  void operator=(const ScopedView&) = delete;
 
 private:
   vtkRenderer* Renderer;
@@ -188,7 +188,7 @@ int vtkRelievoDepthViews::RequestData(
       return 1;
     }
   }
-  const KeptView kept(this->Renderer);
+  const ScopedView kept(this->Renderer);
   vtkNew<vtkRelievoLayerSource> capture;
   capture->SetRenderer(this->Renderer);
   capture->AddLayer("depth");

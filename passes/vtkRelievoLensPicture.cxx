@@ -15,12 +15,12 @@
 #include "vtkRelievoCameraModel.h"
 #include "vtkRelievoDisplay.h"
 #include "vtkRelievoFormulas.h"
-#include "vtkRelievoKeptRenderer.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoLensCamera.h"
 #include "vtkRelievoLensViews.h"
 #include "vtkRelievoOrthographicCamera.h"
 #include "vtkRelievoPass.h"
+#include "vtkRelievoScopedRenderer.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRelievoToneStage.h"
 #include "vtkRenderWindow.h"
@@ -46,10 +46,10 @@ constexpr vtkIdType Grain = 4096;
 constexpr unsigned char Unseen = 2; // beside 0 for the background, 1 for drawn pixels
 
 // One exposure for all views, in place of one that each would measure.
-class KeptExposure
+class ScopedExposure
 {
 public:
-  KeptExposure(vtkRelievoToneStage* tone, double factor)
+  ScopedExposure(vtkRelievoToneStage* tone, double factor)
     : Tone(tone && tone->GetAutoExposure() ? tone : nullptr)
     , Stops(tone ? tone->GetExposure() : 0.0)
   {
@@ -59,7 +59,7 @@ public:
       this->Tone->SetExposure(this->Stops + std::log2(factor));
     }
   }
-  ~KeptExposure()
+  ~ScopedExposure()
   {
     if (this->Tone)
     {
@@ -67,8 +67,8 @@ public:
       this->Tone->SetExposure(this->Stops);
     }
   }
-  KeptExposure(const KeptExposure&) = delete;
-  void operator=(const KeptExposure&) = delete;
+  ScopedExposure(const ScopedExposure&) = delete;
+  void operator=(const ScopedExposure&) = delete;
 
 private:
   vtkRelievoToneStage* Tone;
@@ -304,11 +304,11 @@ bool vtkRelievoLensPicture::DrawViews(vtkFloatArray* color, bool isPicture)
   const int columns = this->Camera->GetSize()[0];
   const int rows = this->Camera->GetSize()[1];
   vtkRelievoLensViews views;
-  const std::string wrong = views.Plan(this->Camera, this->Oversampling);
-  if (!wrong.empty())
+  const std::string error = views.Plan(this->Camera, this->Oversampling);
+  if (!error.empty())
   {
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< wrong << ".");
+    vtkErrorMacro(<< error << ".");
     return false;
   }
   for (const vtkRelievoLensView& view : views.Get())
@@ -439,7 +439,7 @@ vtkSmartPointer<vtkFloatArray> vtkRelievoLensPicture::DrawAll(bool isPicture)
   this->Marks.assign(static_cast<std::size_t>(pixels), Unseen);
   this->NumberOfViews = 0;
   this->NumberOfDrawnPixels = 0;
-  const vtkRelievoKeptRenderer kept(this->Renderer, this->Camera);
+  const vtkRelievoScopedRenderer kept(this->Renderer, this->Camera);
   const bool drawn = this->DrawWhole(color, isPicture) ? this->NumberOfViews == 1
                                                        : this->DrawViews(color, isPicture);
   return drawn ? color : nullptr;
@@ -462,11 +462,11 @@ int vtkRelievoLensPicture::RequestData(
                           : "a renderer without a window; add it to a vtkRenderWindow."));
     return 0;
   }
-  std::string wrong = vtkRelievoDisplay::Check(this->Renderer->GetRenderWindow());
-  wrong = wrong.empty() ? vtkRelievoPass::CheckLights(this->Renderer) : wrong + ".";
-  if (!wrong.empty())
+  std::string error = vtkRelievoDisplay::Check(this->Renderer->GetRenderWindow());
+  error = error.empty() ? vtkRelievoPass::CheckLights(this->Renderer) : error + ".";
+  if (!error.empty())
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
     return 0;
   }
   if (this->Renderer->GetTexturedBackground() && this->Renderer->GetBackgroundTexture())
@@ -493,7 +493,7 @@ int vtkRelievoLensPicture::RequestData(
   vtkSmartPointer<vtkFloatArray> shown;
   if (!isLinear || (this->Picture && color))
   {
-    const KeptExposure kept(tone, this->IsMetered() ? GetExposure(color, this->Marks) : 1.0);
+    const ScopedExposure kept(tone, this->IsMetered() ? GetExposure(color, this->Marks) : 1.0);
     shown = this->DrawAll(true);
   }
   this->Marks = {};

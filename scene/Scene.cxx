@@ -189,10 +189,10 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
     {
       context.Note(path + ": holds labels, shown by their surfaces; --image box shows the image");
     }
-    const std::string wrong = found ? "" : CheckLabels(image);
-    if (!wrong.empty())
+    const std::string error = found ? "" : CheckLabels(image);
+    if (!error.empty())
     {
-      throw WorkError(path + ": --image labels: " + wrong +
+      throw WorkError(path + ": --image labels: " + error +
         "; --image surface shows where one is reached, --image volume all of them");
     }
     return MakeLabelSurfaces(image, context.GetProgress());

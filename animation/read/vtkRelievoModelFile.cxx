@@ -467,7 +467,7 @@ void VisitFields(Question& question, Visit&& visit)
 
 struct Answer
 {
-  std::string Wrong;
+  std::string Error;
   ModelSources Sources;
   Model Content;
 };
@@ -475,7 +475,7 @@ struct Answer
 template <typename Visit>
 void VisitFields(Answer& answer, Visit&& visit)
 {
-  visit(answer.Wrong, answer.Sources, answer.Content);
+  visit(answer.Error, answer.Sources, answer.Content);
 }
 
 // Runs in the process of the file.
@@ -483,7 +483,7 @@ void AnswerQuestion(const Question& asked, const vtkRelievoReaderProcess::Say& s
 {
   try
   {
-    made.Wrong = ReadHere(
+    made.Error = ReadHere(
       asked.Path, asked.Folders, asked.Weights, [&say](double share) { return say("", share); },
       made.Sources, made.Content);
   }
@@ -493,9 +493,9 @@ void AnswerQuestion(const Question& asked, const vtkRelievoReaderProcess::Say& s
   }
   catch (const std::exception& error) // from Assimp and glTF
   {
-    made.Wrong = error.what();
+    made.Error = error.what();
   }
-  if (!made.Wrong.empty())
+  if (!made.Error.empty())
   {
     made.Content = Model();
   }
@@ -530,7 +530,7 @@ std::string ReadModel(const std::string& path, const std::vector<std::string>& f
   catch (const std::bad_alloc&)
   {
     made = Answer();
-    made.Wrong = TooMuch;
+    made.Error = TooMuch;
   }
   if (failure.empty() && !IsConsistent(made.Content))
   {
@@ -540,13 +540,13 @@ std::string ReadModel(const std::string& path, const std::vector<std::string>& f
   if (!failure.empty())
   {
     made = Answer();
-    made.Wrong =
+    made.Error =
       std::string("the reader (") + (GetIsGltfExtension(path) ? "glTF" : "Assimp") + ") " + failure;
     sources = ModelSources();
     sources.Add(path); // not read again while unchanged
   }
   model = std::move(made.Content);
-  return made.Wrong;
+  return made.Error;
 }
 
 //------------------------------------------------------------------------------

@@ -140,10 +140,10 @@ std::string ReadWhole(const std::string& path)
 {
   constexpr std::size_t most = std::size_t(1) << 28;
   std::string bytes;
-  const std::string wrong = vtkRelievoFileKind::ReadWhole(path, most, bytes);
-  if (!wrong.empty())
+  const std::string error = vtkRelievoFileKind::ReadWhole(path, most, bytes);
+  if (!error.empty())
   {
-    throw FileError(path + ": " + wrong);
+    throw FileError(path + ": " + error);
   }
   return bytes;
 }

@@ -130,10 +130,10 @@ std::set<std::string> TakeArguments(const std::vector<std::string>& words,
       {
         throw UsageError(row.Name + ": its value is empty; see relievo --help");
       }
-      const std::string wrong = row.Take(value);
-      if (!wrong.empty())
+      const std::string error = row.Take(value);
+      if (!error.empty())
       {
-        throw UsageError(row.Name + ": " + wrong);
+        throw UsageError(row.Name + ": " + error);
       }
     },
     plain);

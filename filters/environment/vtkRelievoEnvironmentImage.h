@@ -4,8 +4,8 @@
  * @file vtkRelievoEnvironmentImage.h
  * @brief The light of an environment image of any projection, by direction.
  *
- * Orientation: shaders/formulas/light/environment.glsl. A cube is one image of n x n x 6 points; its
- * slices are the faces +x -x +y -y +z -z in OpenGL's order.
+ * Orientation: shaders/formulas/light/environment.glsl. A cube is one image of n x n x 6 points;
+ * its slices are the faces +x -x +y -y +z -z in OpenGL's order.
  */
 #ifndef vtkRelievoEnvironmentImage_h
 #define vtkRelievoEnvironmentImage_h

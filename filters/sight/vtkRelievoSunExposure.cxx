@@ -370,10 +370,10 @@ struct vtkRelievoSunExposure::Sun
 // Returns an error, or "".
 std::string vtkRelievoSunExposure::GetSuns(std::vector<Sun>& suns) const
 {
-  const std::string wrong = CheckDays(this->FirstDay, this->LastDay);
-  if (!wrong.empty())
+  const std::string message = CheckDays(this->FirstDay, this->LastDay);
+  if (!message.empty())
   {
-    return wrong;
+    return message;
   }
   std::ostringstream text;
   if (!(this->BeginHour < this->EndHour))

@@ -84,14 +84,14 @@ void AddLights(
 // Checked before the first draw, also where no frame does so.
 void CheckLights(vtkRenderer* renderer, const std::vector<LightChoice>& lights)
 {
-  const std::string wrong = vtkRelievoFramePass::CheckLights(renderer);
-  if (!wrong.empty() && !lights.empty())
+  const std::string error = vtkRelievoFramePass::CheckLights(renderer);
+  if (!error.empty() && !lights.empty())
   {
-    throw UsageError("--light: " + wrong + " Give them as points with --lamps FILE");
+    throw UsageError("--light: " + error + " Give them as points with --lamps FILE");
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    throw WorkError("the files' lights: " + wrong + " Give --light, or points with --lamps FILE");
+    throw WorkError("the files' lights: " + error + " Give --light, or points with --lamps FILE");
   }
 }
 }

@@ -57,10 +57,10 @@ void CheckValues(
     {
       RefuseValue(option, name + "=" + words, "one of " + values.GetNames());
     }
-    const std::string wrong = values.TrySet(name, words);
-    if (!wrong.empty())
+    const std::string error = values.TrySet(name, words);
+    if (!error.empty())
     {
-      throw UsageError(option + " " + name + ": " + wrong);
+      throw UsageError(option + " " + name + ": " + error);
     }
   }
 }

@@ -159,9 +159,9 @@ void vtkRelievoDeferredStage::AddLights(vtkRelievoFrameContext& context)
     in.Quad.Ready(context, "deferred/shadeFS.glsl", reads, DescribeLights(context));
   if (!program)
   {
-    if (in.Reported.IsNew(in.Quad.GetWrong()))
+    if (in.Reported.IsNew(in.Quad.GetError()))
     {
-      vtkErrorMacro("Surfaces are not lit: " << in.Quad.GetWrong() << ".");
+      vtkErrorMacro("Surfaces are not lit: " << in.Quad.GetError() << ".");
     }
     return;
   }

@@ -76,44 +76,44 @@ std::string vtkRelievoLampLight::Prepare(
   }
   // Half floats lose addends that are small beside the sum so far, so rectangles add up in floats.
   const bool white = this->List.IsWhite();
-  const std::string wrong =
+  const std::string error =
     this->Sum.Prepare(context, { white ? 1 : 4, !this->Floats && !quads, quads });
   this->Sum.SetDefines(white ? "#define RELIEVO_WHITE_LIGHT\n" : "");
-  if (this->Counting && wrong.empty())
+  if (this->Counting && error.empty())
   {
     return this->Counts.Prepare(context, { 2, false, quads });
   }
   this->Counts.Release(context.Window);
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoLampLight::Draw(vtkRelievoFrameContext& context, bool glossy)
 {
-  std::string wrong = this->DrawInto(context, this->Sum, this->Lights,
+  std::string error = this->DrawInto(context, this->Sum, this->Lights,
     this->Sum.GetFormat().Halves ? "#define RELIEVO_HALVES\n" : "");
   const bool quads = this->HasQuads();
   if (!glossy)
   {
     this->Gloss.Release(context.Window);
   }
-  else if (wrong.empty())
+  else if (error.empty())
   {
-    wrong = this->Gloss.Prepare(context, { 4, !this->Floats && !quads, quads });
+    error = this->Gloss.Prepare(context, { 4, !this->Floats && !quads, quads });
     this->Gloss.SetDefines("#define RELIEVO_GLOSS\n");
   }
-  if (glossy && wrong.empty())
+  if (glossy && error.empty())
   {
-    wrong = this->DrawInto(context, this->Gloss, this->Glosses,
+    error = this->DrawInto(context, this->Gloss, this->Glosses,
       this->Gloss.GetFormat().Halves ? "#define RELIEVO_GLOSS\n#define RELIEVO_HALVES\n"
                                      : "#define RELIEVO_GLOSS\n");
   }
-  if (wrong.empty() && this->Counting)
+  if (error.empty() && this->Counting)
   {
-    wrong = this->DrawInto(context, this->Counts, this->Counter, "#define RELIEVO_COUNT_LAMPS\n");
+    error = this->DrawInto(context, this->Counts, this->Counter, "#define RELIEVO_COUNT_LAMPS\n");
     this->SumCounts();
   }
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -179,29 +179,29 @@ std::string vtkRelievoLampLight::Add(vtkRelievoFrameContext& context, bool gloss
     this->DrawCalls += drawn ? 1 : 0;
     this->Unbind();
   }
-  return this->Adder.GetWrong();
+  return this->Adder.GetError();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoLampLight::Upload(vtkRelievoFrameContext& context)
 {
   this->DrawCalls = 0;
-  std::string wrong = this->Lamps.Upload(context.Window, this->List.GetTexels(), 4);
-  if (wrong.empty() && !this->Casting.GetLamps().empty())
+  std::string error = this->Lamps.Upload(context.Window, this->List.GetTexels(), 4);
+  if (error.empty() && !this->Casting.GetLamps().empty())
   {
-    wrong = this->CastingLamps.Upload(context.Window, this->Casting.GetTexels(), 4);
+    error = this->CastingLamps.Upload(context.Window, this->Casting.GetTexels(), 4);
   }
-  if (wrong.empty())
+  if (error.empty())
   {
-    wrong = this->Attenuations.Upload(context.Window, this->List.GetAttenuations(), 4);
+    error = this->Attenuations.Upload(context.Window, this->List.GetAttenuations(), 4);
   }
-  if (wrong.empty() && this->Way == vtkRelievoLampsStage::CLUSTERS)
+  if (error.empty() && this->Way == vtkRelievoLampsStage::CLUSTERS)
   {
-    wrong = this->Cells.Upload(context.Window, this->Clusters.GetCells(), 1);
-    wrong =
-      !wrong.empty() ? wrong : this->Lists.Upload(context.Window, this->Clusters.GetLists(), 1);
+    error = this->Cells.Upload(context.Window, this->Clusters.GetCells(), 1);
+    error =
+      !error.empty() ? error : this->Lists.Upload(context.Window, this->Clusters.GetLists(), 1);
   }
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -232,17 +232,17 @@ std::string vtkRelievoLampLight::DrawInto(vtkRelievoFrameContext& context,
   vtkRelievoScreenTarget& target, vtkRelievoScreenQuad& quad, const std::string& defines)
 {
   target.Begin(context);
-  std::string wrong;
+  std::string error;
   if (this->Way != vtkRelievoLampsStage::QUADS && !this->List.GetLamps().empty())
   {
-    wrong = this->DrawPixels(context, target, quad, defines);
+    error = this->DrawPixels(context, target, quad, defines);
   }
-  if (wrong.empty() && this->HasQuads())
+  if (error.empty() && this->HasQuads())
   {
-    wrong = this->DrawQuads(context, target, defines);
+    error = this->DrawQuads(context, target, defines);
   }
   target.End();
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -251,31 +251,31 @@ std::string vtkRelievoLampLight::DrawQuads(
 {
   const bool others = this->Way == vtkRelievoLampsStage::QUADS && !this->List.GetLamps().empty();
   const bool casting = !this->Casting.GetLamps().empty();
-  std::string wrong;
+  std::string error;
   if (others || casting)
   {
-    wrong = (others ? this->Quads : this->CastingQuads).DrawSurfaces(context, target);
+    error = (others ? this->Quads : this->CastingQuads).DrawSurfaces(context, target);
     ++this->DrawCalls;
   }
-  if (others && wrong.empty())
+  if (others && error.empty())
   {
-    wrong = this->Quads.Draw(
+    error = this->Quads.Draw(
       context, this->List, defines,
       [this](vtkShaderProgram* program) { this->Bind(program, false); }, nullptr, this->DrawCalls);
     this->Unbind();
   }
-  if (casting && wrong.empty())
+  if (casting && error.empty())
   {
     // The count of computed lamps does not depend on their shadows.
     auto* shadows = &target == &this->Counts
       ? nullptr
       : static_cast<vtkRelievoLampShadows*>(context.Find(vtkRelievoResources::LampShadows));
-    wrong = this->CastingQuads.Draw(
+    error = this->CastingQuads.Draw(
       context, this->Casting, defines,
       [this](vtkShaderProgram* program) { this->Bind(program, true); }, shadows, this->DrawCalls);
     this->Unbind();
   }
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -295,7 +295,7 @@ std::string vtkRelievoLampLight::DrawPixels(vtkRelievoFrameContext& context,
     this->Unbind();
     ++this->DrawCalls;
   }
-  return quad.GetWrong();
+  return quad.GetError();
 }
 
 //------------------------------------------------------------------------------

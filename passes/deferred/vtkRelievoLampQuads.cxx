@@ -19,7 +19,7 @@ std::string vtkRelievoLampQuads::DrawSurfaces(
   vtkOpenGLState* state = context.Window->GetState();
   if (!this->Surfaces.Ready(context, "deferred/lampDepthFS.glsl", { vtkRelievoResources::Depth }))
   {
-    return this->Surfaces.GetWrong();
+    return this->Surfaces.GetError();
   }
   // Depth only: the colour holds the sum.
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -52,7 +52,7 @@ std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
         (shadows ? shadows->GetDefines() : std::string()) + "#define RELIEVO_LAMP_IN_QUAD\n");
   if (!program)
   {
-    return this->Lamps.GetWrong();
+    return this->Lamps.GetError();
   }
   layers->Activate(program);
   if (normals != layers)

@@ -210,20 +210,20 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
   buffers.Floats = this->Floats || this->WayTaken == ALL;
   buffers.Sums = in.Sums;
   buffers.Counts = counts;
-  std::string wrong = in.Light.Prepare(context, this->WayTaken, buffers);
+  std::string error = in.Light.Prepare(context, this->WayTaken, buffers);
   if (!colors)
   {
     in.Translucent->ReleaseGraphicsResources(context.Window);
   }
-  else if (wrong.empty())
+  else if (error.empty())
   {
-    wrong = in.Translucent->Begin(context, sets, this->Translucent);
+    error = in.Translucent->Begin(context, sets, this->Translucent);
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    this->ReportFault(wrong);
+    this->ReportFault(error);
   }
-  return wrong.empty();
+  return error.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -234,17 +234,17 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
   const vtkRelievoResource* surface = colors ? context.Find(vtkRelievoResources::Surface) : nullptr;
   const bool glossy =
     surface && surface->GetDefines().find("RELIEVO_GLOSSY_SURFACES") != std::string::npos;
-  std::string wrong = in.Light.Upload(context);
-  if (in.Sums && wrong.empty())
+  std::string error = in.Light.Upload(context);
+  if (in.Sums && error.empty())
   {
-    wrong = in.Light.Draw(context, glossy && !in.Adds);
+    error = in.Light.Draw(context, glossy && !in.Adds);
   }
-  if (in.Adds && colors && wrong.empty())
+  if (in.Adds && colors && error.empty())
   {
-    wrong = in.Light.Add(context, glossy);
+    error = in.Light.Add(context, glossy);
   }
   this->DrawCalls = in.Light.GetDrawCalls();
-  if (wrong.empty() && in.Sums)
+  if (error.empty() && in.Sums)
   {
     context.ProvideLayer(Light, &in.Light.GetSum());
     for (const char* name : { Evaluations, Reaching })
@@ -255,7 +255,7 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
       }
     }
   }
-  if (wrong.empty() && colors && !in.Adds)
+  if (error.empty() && colors && !in.Adds)
   {
     std::vector<vtkRelievoResourceName> reads{ vtkRelievoResources::Surface,
       vtkRelievoResourceName::Of(Light) };
@@ -273,10 +273,10 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
       context.DrawColor(in.Colors, false);
       ++this->DrawCalls;
     }
-    wrong = in.Colors.GetWrong();
+    error = in.Colors.GetError();
   }
-  this->ReportFault(wrong);
-  if (wrong.empty())
+  this->ReportFault(error);
+  if (error.empty())
   {
     this->Explain("ran",
       std::to_string(this->NumberDrawn) + " of " + std::to_string(this->NumberOfLamps) +
@@ -303,12 +303,12 @@ std::string vtkRelievoLampsStage::ReadLayers(
   Internals& in = *this->Internal;
   for (const std::string& name : names)
   {
-    const std::string wrong = name == Light
+    const std::string error = name == Light
       ? in.Light.GetSum().Read(name, 3, image)
       : in.Light.GetCounts().Read(name, 1, image, name == Reaching ? 1 : 0);
-    if (!wrong.empty())
+    if (!error.empty())
     {
-      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+      return "The layer '" + name + "' cannot be read: " + error + ".";
     }
   }
   return {};

@@ -54,17 +54,17 @@ std::string vtkRelievoTranslucentLamps::Begin(
     this->ReleaseGraphicsResources(context.Window);
     return {};
   }
-  std::string wrong = this->Lamps.Upload(context.Window, this->List.GetTexels(), 4);
+  std::string error = this->Lamps.Upload(context.Window, this->List.GetTexels(), 4);
   const auto upload = [&](
                         vtkRelievoTextureBuffer& buffer, const std::vector<float>& values, int n) {
-    wrong = wrong.empty() ? buffer.Upload(context.Window, values, n) : wrong;
+    error = error.empty() ? buffer.Upload(context.Window, values, n) : error;
   };
   upload(this->Attenuations, this->List.GetAttenuations(), 4);
   upload(this->Cells, this->Clusters.GetCells(), 1);
   upload(this->Lists, this->Clusters.GetLists(), 1);
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   if (this->Parallel != this->View.Parallel)
   {

@@ -76,17 +76,17 @@ void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   const bool any = context.Find(vtkRelievoResources::Translucent) != nullptr;
-  std::string wrong;
+  std::string error;
   this->DrawCalls = 0;
   if (context.IsLayerAsked(this, Blend))
   {
-    wrong = any ? "" : in.Layer.Prepare(context, {});
-    if (!any && wrong.empty())
+    error = any ? "" : in.Layer.Prepare(context, {});
+    if (!any && error.empty())
     {
       in.Layer.Begin(context);
       in.Layer.End();
     }
-    if (wrong.empty())
+    if (error.empty())
     {
       context.ProvideLayer(Blend, &in.Layer);
     }
@@ -102,15 +102,15 @@ void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
     {
       this->DrawCalls += context.DrawColor(in.Quad) ? 1 : 0;
     }
-    wrong = in.Quad.GetWrong();
+    error = in.Quad.GetError();
   }
-  this->Explain(wrong.empty() ? "ran" : "failed",
-    !wrong.empty() ? wrong
+  this->Explain(error.empty() ? "ran" : "failed",
+    !error.empty() ? error
       : any        ? "keeps translucent surfaces apart"
                    : "nothing translucent was drawn into the colour");
-  if (in.Reported.IsChange(wrong))
+  if (in.Reported.IsChange(error))
   {
-    vtkErrorMacro("Translucent surfaces are missing: " << wrong << ".");
+    vtkErrorMacro("Translucent surfaces are missing: " << error << ".");
   }
 }
 
@@ -120,10 +120,10 @@ std::string vtkRelievoBlendStage::ReadLayers(
 {
   for (const std::string& name : names)
   {
-    const std::string wrong = this->Internal->Layer.Read(name, 4, image);
-    if (!wrong.empty())
+    const std::string error = this->Internal->Layer.Read(name, 4, image);
+    if (!error.empty())
     {
-      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+      return "The layer '" + name + "' cannot be read: " + error + ".";
     }
   }
   return {};

@@ -292,12 +292,12 @@ bool vtkRelievoFramePass::ReadLayer(RELIEVO_TEXT name, vtkImageData* image)
 //------------------------------------------------------------------------------
 bool vtkRelievoFramePass::ReadLayers(const std::vector<std::string>& names, vtkImageData* image)
 {
-  const std::string wrong = this->TryReadLayers(names, image);
-  if (!wrong.empty())
+  const std::string error = this->TryReadLayers(names, image);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
   }
-  return wrong.empty();
+  return error.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -308,8 +308,8 @@ std::string vtkRelievoFramePass::TryReadLayers(
   {
     return "Reading layers needs an image to fill, and was given none; give it a vtkImageData.";
   }
-  const std::string wrong = this->Internal->Reader.Read(names, image);
-  return wrong.empty() && this->Amends ? this->Internal->Reader.Amend(names, image) : wrong;
+  const std::string error = this->Internal->Reader.Read(names, image);
+  return error.empty() && this->Amends ? this->Internal->Reader.Amend(names, image) : error;
 }
 
 //------------------------------------------------------------------------------
@@ -417,11 +417,11 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
     context, stages, in.Color, in.Translucent, in.Samples, in.Raster, in.PointGroups, in.Timer);
   run.Synchronize();
   run.Declare();
-  for (const std::string& wrong : run.Plan())
+  for (const std::string& error : run.Plan())
   {
-    if (in.Reported.IsNew(wrong))
+    if (in.Reported.IsNew(error))
     {
-      vtkErrorMacro(<< wrong << ".");
+      vtkErrorMacro(<< error << ".");
     }
   }
   for (vtkRelievoStage* stage : stages)

@@ -56,8 +56,8 @@ std::string vtkRelievoFrameReader::Read(const std::vector<std::string>& names, v
       return "The frame did not make the layer '" + name + "', " + missing->second + ".";
     }
   }
-  std::string wrong;
-  for (std::size_t from = 0; from < names.size() && wrong.empty();)
+  std::string error;
+  for (std::size_t from = 0; from < names.size() && error.empty();)
   {
     vtkRelievoStage* writer = this->FindWriter(names[from]);
     std::size_t to = from + 1;
@@ -68,25 +68,25 @@ std::string vtkRelievoFrameReader::Read(const std::vector<std::string>& names, v
     }
     if (names[from] == "color")
     {
-      wrong = this->Color.Read(image);
-      wrong = wrong.empty() ? wrong : "The layer 'color' cannot be read: " + wrong + ".";
+      error = this->Color.Read(image);
+      error = error.empty() ? error : "The layer 'color' cannot be read: " + error + ".";
     }
     else if (this->Samples.Has(names[from]))
     {
-      wrong = this->Samples.Read(names[from], image);
+      error = this->Samples.Read(names[from], image);
     }
     else
     {
       const auto first = names.begin() + static_cast<std::ptrdiff_t>(from);
       const auto last = names.begin() + static_cast<std::ptrdiff_t>(to);
-      wrong = writer ? writer->ReadLayers({ first, last }, image)
+      error = writer ? writer->ReadLayers({ first, last }, image)
                      : "The layer '" + names[from] +
           "' cannot be read: the last frame made no layers; ask for it (RequestLayer) and render "
           "before.";
     }
     from = to;
   }
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -107,10 +107,10 @@ std::string vtkRelievoFrameReader::Amend(const std::vector<std::string>& names, 
       amended[found->second].push_back(name);
     }
   }
-  std::string wrong;
+  std::string error;
   for (const auto& [stage, layers] : amended)
   {
-    wrong = wrong.empty() ? stage->ReadLayers(layers, image) : wrong;
+    error = error.empty() ? stage->ReadLayers(layers, image) : error;
   }
-  return wrong;
+  return error;
 }

@@ -157,7 +157,7 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
 {
   const std::vector<vtkRelievoFramePlan::Node> declared = this->Nodes;
   this->Planned.SetOptionalLayers(this->Context.OptionalLayers);
-  std::vector<std::string> wrong =
+  std::vector<std::string> error =
     this->Planned.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
   if (this->Planned.NeedsColor())
   {
@@ -170,7 +170,7 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
     {
       this->Planned.SetNoColor(noColor);
       this->Nodes = declared;
-      wrong = this->Planned.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
+      error = this->Planned.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
     }
   }
   const auto worksOnColor = [](const vtkRelievoFramePlan::Node& node) {
@@ -205,7 +205,7 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
       this->Stages[i]->Explain(node.ReasonCode, node.Reason);
     }
   }
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------

@@ -271,14 +271,14 @@ std::string vtkRelievoSampleAccumulator::Add(vtkRelievoFrameContext& context, Su
   vtkRelievoScreenTarget::Format format;
   format.Channels = channels;
   format.Halves = false;
-  std::string wrong = sum.Target.Prepare(context, format);
-  if (wrong.empty() && !sum.Quad.Ready(context, "frame/gatherFS.glsl", { resource }, defines))
+  std::string error = sum.Target.Prepare(context, format);
+  if (error.empty() && !sum.Quad.Ready(context, "frame/gatherFS.glsl", { resource }, defines))
   {
-    wrong = sum.Quad.GetWrong();
+    error = sum.Quad.GetError();
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   if (context.Lattice)
   {
@@ -310,7 +310,7 @@ std::string vtkRelievoSampleAccumulator::ShowMean(vtkRelievoFrameContext& contex
     this->Mean.Ready(context, "frame/meanFS.glsl", { vtkRelievoResources::Gathered });
   if (!program)
   {
-    return this->Mean.GetWrong();
+    return this->Mean.GetError();
   }
   program->SetUniformf("relievoCount", static_cast<float>(this->Color->Weight));
   context.DrawColor(this->Mean);
@@ -405,10 +405,10 @@ bool vtkRelievoSampleAccumulator::Has(const std::string& layer) const
 std::string vtkRelievoSampleAccumulator::Read(const std::string& layer, vtkImageData* image)
 {
   Sum& sum = *this->Layers.at(layer);
-  const std::string wrong = sum.Target.Read(layer, 1, image);
-  if (!wrong.empty())
+  const std::string error = sum.Target.Read(layer, 1, image);
+  if (!error.empty())
   {
-    return "The layer '" + layer + "' cannot be read: " + wrong + ".";
+    return "The layer '" + layer + "' cannot be read: " + error + ".";
   }
   auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(layer.c_str()));
   float* value = values->GetPointer(0);

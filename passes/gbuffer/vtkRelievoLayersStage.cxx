@@ -342,13 +342,13 @@ void vtkRelievoLayersStage::DrawOwnPass(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   const vtkRelievoScopedState kept(context.Window->GetState());
-  std::string wrong =
+  std::string error =
     in.Target.Allocate(context.Window, in.Layout, in.View.Viewport[2], in.View.Viewport[3]);
-  if (wrong.empty())
+  if (error.empty())
   {
-    wrong = in.Target.BeginOwn(in.Layout);
+    error = in.Target.BeginOwn(in.Layout);
   }
-  if (wrong.empty())
+  if (error.empty())
   {
     in.SetMode(*this,
       vtkRelievoGBufferSplice::Mode{
@@ -367,10 +367,10 @@ void vtkRelievoLayersStage::DrawOwnPass(vtkRelievoFrameContext& context)
   }
   else
   {
-    this->Explain("failed", wrong);
-    if (in.Reported.IsNew(wrong))
+    this->Explain("failed", error);
+    if (in.Reported.IsNew(error))
     {
-      vtkErrorMacro("No layers: " << wrong << ".");
+      vtkErrorMacro("No layers: " << error << ".");
     }
   }
 }
@@ -387,12 +387,12 @@ std::string vtkRelievoLayersStage::ReadLayers(
   reader.SetDraws(&in.Draws, &in.Links, in.Renderer);
   for (const std::string& name : names)
   {
-    const std::string wrong = in.Valid && in.Renderer
+    const std::string error = in.Valid && in.Renderer
       ? reader.Read(name, image)
       : "the last frame made no layers; ask for it (RequestLayer) and render before";
-    if (!wrong.empty())
+    if (!error.empty())
     {
-      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+      return "The layer '" + name + "' cannot be read: " + error + ".";
     }
   }
   return {};

@@ -92,24 +92,24 @@ void vtkRelievoLightDepthStage::Execute(vtkRelievoFrameContext& context)
   vtkRelievoScreenTarget::Format format;
   format.Channels = 1;
   format.Halves = false;
-  std::string wrong = in.Target.Prepare(context, format);
+  std::string error = in.Target.Prepare(context, format);
   const auto* shadows =
     static_cast<vtkRelievoShadowStrengths*>(context.Find(vtkRelievoResources::ShadowMaps));
   const vtkRelievoShadowContext* work = shadows ? shadows->GetWork() : nullptr;
   const vtkRelievoShadowCache::Entry* entry = in.Find(work, this->Light);
   vtkShaderProgram* program = nullptr;
-  if (wrong.empty() && entry)
+  if (error.empty() && entry)
   {
     program = in.Quad.Ready(context, "shadow/lightDepthFS.glsl", {});
-    wrong = in.Quad.GetWrong();
+    error = in.Quad.GetError();
   }
-  if (in.Reported.IsChange(wrong))
+  if (in.Reported.IsChange(error))
   {
-    vtkErrorMacro("No " << Layer << ": " << wrong << ".");
+    vtkErrorMacro("No " << Layer << ": " << error << ".");
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    this->Explain("failed", wrong);
+    this->Explain("failed", error);
     return;
   }
   in.Target.Begin(context, std::numeric_limits<float>::infinity());
@@ -146,10 +146,10 @@ std::string vtkRelievoLightDepthStage::ReadLayers(
 {
   for (const std::string& name : names)
   {
-    const std::string wrong = this->Internal->Target.Read(name, 1, image);
-    if (!wrong.empty())
+    const std::string error = this->Internal->Target.Read(name, 1, image);
+    if (!error.empty())
     {
-      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+      return "The layer '" + name + "' cannot be read: " + error + ".";
     }
   }
   return {};

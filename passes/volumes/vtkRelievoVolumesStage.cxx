@@ -242,7 +242,7 @@ public:
   int Rule = OPACITY; // of the last frame
   double Threshold = 0.5;
   std::string RuleWords; // for files
-  std::string Wrong;     // why volumes lack layers
+  std::string Error;     // why volumes lack layers
   vtkRelievoReportOnce Reported;
 };
 
@@ -320,7 +320,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   in.Reader.reset();
   in.InFrame = true;
   in.Volumes.clear();
-  in.Wrong.clear();
+  in.Error.clear();
   in.View = context.View;
   in.Rule = this->Rule;
   in.Threshold = this->Opacity;
@@ -342,7 +342,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     const std::string fault = in.Depth.Prepare(context, format);
     if (!fault.empty())
     {
-      in.Wrong = fault;
+      in.Error = fault;
       this->Explain("failed", fault);
       return;
     }
@@ -351,12 +351,12 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     context.ProvideLayer(VolumeDepth.Get(), &in.Depth);
   }
   std::vector<Drawn> volumes;
-  std::string wrong;
+  std::string error;
   vtkVolumeCollection* all = context.Renderer->GetVolumes();
   const auto reject = [this, &in, all](const Drawn& each, const std::string& why) {
     const int index = all->IsItemPresent(each.Volumes.front()) - 1;
     const std::string words = "Volume " + std::to_string(index) + " lacks layers: " + why + ".";
-    in.Wrong += (in.Wrong.empty() ? "" : " ") + words;
+    in.Error += (in.Error.empty() ? "" : " ") + words;
     if (in.Reported.IsNew(words))
     {
       vtkErrorMacro(<< words);
@@ -377,17 +377,17 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     this->Explain("ran", "there are no volumes");
     return;
   }
-  wrong = in.Target.Prepare(context, static_cast<int>(volumes.size()));
-  if (wrong.empty() &&
+  error = in.Target.Prepare(context, static_cast<int>(volumes.size()));
+  if (error.empty() &&
     !in.Quad.Ready(context, "volumes/depthFS.glsl", { vtkRelievoResources::Depth }))
   {
-    wrong = in.Quad.GetWrong();
+    error = in.Quad.GetError();
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
     in.Target.Release(context.Window);
-    this->Explain("failed", wrong);
-    reject(volumes.front(), wrong);
+    this->Explain("failed", error);
+    reject(volumes.front(), error);
     return;
   }
   in.Target.Begin(context);
@@ -476,7 +476,7 @@ std::string vtkRelievoVolumesStage::FindNearest(vtkRelievoFrameContext& context)
   vtkShaderProgram* program = in.Nearest.Ready(context, "volumes/nearestFS.glsl", {});
   if (!program)
   {
-    return in.Nearest.GetWrong();
+    return in.Nearest.GetError();
   }
   vtkOpenGLState* state = context.Window->GetState();
   in.Depth.GoOn(context);
@@ -511,9 +511,9 @@ void vtkRelievoVolumesStage::Finish(vtkRelievoFrameContext&)
 std::string vtkRelievoVolumesStage::Open(const std::string& layer)
 {
   Internals& in = *this->Internal;
-  if (in.Volumes.empty() && !in.Wrong.empty())
+  if (in.Volumes.empty() && !in.Error.empty())
   {
-    return in.Wrong;
+    return in.Error;
   }
   if (!in.Reader)
   {
@@ -538,16 +538,16 @@ std::string vtkRelievoVolumesStage::ReadLayers(
     {
       return {}; // layers of surfaces alone
     }
-    const std::string wrong = this->Open(name);
-    if (!wrong.empty())
+    const std::string error = this->Open(name);
+    if (!error.empty())
     {
-      return wrong;
+      return error;
     }
     isOwn ? in.Reader->Read(name, image) : in.Reader->Amend(name, image);
     if (!isOwn)
     {
       AddText(
-        image, "depthOf", in.Wrong.empty() ? "surfaces and volumes" : "surfaces and some volumes");
+        image, "depthOf", in.Error.empty() ? "surfaces and volumes" : "surfaces and some volumes");
     }
   }
   AddText(image, "volumeRule", in.RuleWords);

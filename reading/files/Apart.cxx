@@ -43,7 +43,7 @@ void VisitFields(Asked& asked, Visit&& visit)
 struct Made
 {
   End Is = End::Done;
-  std::string Wrong;
+  std::string Error;
   std::vector<std::string> Notes, Warnings, Opened;
   vtkSmartPointer<vtkDataObject> Data;
 };
@@ -51,7 +51,7 @@ struct Made
 template <typename Visit>
 void VisitFields(Made& made, Visit&& visit)
 {
-  visit(made.Is, made.Wrong, made.Notes, made.Warnings, made.Opened, made.Data);
+  visit(made.Is, made.Error, made.Notes, made.Warnings, made.Opened, made.Data);
 }
 
 // Sends progress steps to the program.
@@ -87,7 +87,7 @@ void Answer(const Asked& asked, const vtkRelievoReaderProcess::Say& say, Made& m
   catch (const UsageError& error)
   {
     made.Is = End::Usage;
-    made.Wrong = error.what();
+    made.Error = error.what();
   }
   catch (const WorkError& error)
   {
@@ -96,7 +96,7 @@ void Answer(const Asked& asked, const vtkRelievoReaderProcess::Say& say, Made& m
       throw std::bad_alloc();
     }
     made.Is = End::Work;
-    made.Wrong = error.what();
+    made.Error = error.what();
   }
   made.Notes = context.TakeNotes();
   made.Warnings = context.TakeWarnings();
@@ -154,11 +154,11 @@ vtkSmartPointer<vtkDataObject> ReadApart(
   }
   if (made.Is == End::Usage)
   {
-    throw UsageError(made.Wrong);
+    throw UsageError(made.Error);
   }
   if (made.Is == End::Work)
   {
-    throw WorkError(made.Wrong);
+    throw WorkError(made.Error);
   }
   if (!made.Data)
   {

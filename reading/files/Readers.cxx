@@ -199,14 +199,14 @@ void AddPieces(const std::string& path, ReadContext& context)
       const std::filesystem::path folder = std::filesystem::path(of).parent_path();
       const bool isWhole = name.size() > 1 && name[1] == ':';
       const std::string piece = isWhole ? name : (folder / name).string();
-      std::string wrong = allowed.FindObstacle(piece);
-      if (wrong.empty())
+      std::string error = allowed.FindObstacle(piece);
+      if (error.empty())
       {
-        wrong = vtkRelievoFileKind::FindInstead(piece);
+        error = vtkRelievoFileKind::FindInstead(piece);
       }
-      if (!wrong.empty())
+      if (!error.empty())
       {
-        throw WorkError(of + ": names the piece " + name + ": " + wrong);
+        throw WorkError(of + ": names the piece " + name + ": " + error);
       }
       if (known.insert(piece).second)
       {

@@ -179,7 +179,7 @@ void Outputs::Commit()
     }
     return;
   }
-  const std::string wrong = this->Entries[moved].Given + ": " + trouble.message();
+  const std::string error = this->Entries[moved].Given + ": " + trouble.message();
   for (std::size_t i = 0; i <= moved; ++i)
   {
     const Entry& entry = this->Entries[i];
@@ -197,7 +197,7 @@ void Outputs::Commit()
       fs::remove(entry.Place, none);
     }
   }
-  throw WorkError(wrong);
+  throw WorkError(error);
 }
 
 //------------------------------------------------------------------------------

@@ -211,14 +211,14 @@ std::string ReadMtlLibrary(const std::string& path, const vtkRelievoAllowedFolde
   std::map<std::string, MtlMaterial>& materials, ReadContext& context)
 {
   std::string text;
-  std::string wrong = allowed.FindObstacle(path);
-  if (wrong.empty())
+  std::string error = allowed.FindObstacle(path);
+  if (error.empty())
   {
-    wrong = vtkRelievoFileKind::ReadWhole(path, MostBytes, text);
+    error = vtkRelievoFileKind::ReadWhole(path, MostBytes, text);
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   context.AddFile(path);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();

@@ -17,10 +17,10 @@ namespace scene
 //------------------------------------------------------------------------------
 void CheckDisplay(vtkRenderWindow* window)
 {
-  const std::string wrong = vtkRelievoDisplay::Check(window);
-  if (!wrong.empty())
+  const std::string error = vtkRelievoDisplay::Check(window);
+  if (!error.empty())
   {
-    throw WorkError(wrong);
+    throw WorkError(error);
   }
 }
 

@@ -188,10 +188,10 @@ CameraPath::CameraPath(const std::vector<CameraKey>& keys, const std::string& na
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
     const std::string key = name + ": key " + std::to_string(i + 1);
-    const std::string wrong = CheckPlace(keys[i].Place);
-    if (!wrong.empty() || !std::isfinite(keys[i].Time))
+    const std::string error = CheckPlace(keys[i].Place);
+    if (!error.empty() || !std::isfinite(keys[i].Time))
     {
-      throw UsageError(key + ": expected " + (wrong.empty() ? "a finite time" : wrong));
+      throw UsageError(key + ": expected " + (error.empty() ? "a finite time" : error));
     }
     if (i == 0)
     {

@@ -129,10 +129,10 @@ void TakePoints(RenderOptions& options, const std::string& name, const std::stri
         "one of " + points->GetDescription().GetNames() + (stage.Parameters.empty() ? "" : ", ") +
           Join(stage.Parameters, ", "));
     }
-    const std::string wrong = points->TrySetParameter(parameter, value);
-    if (!wrong.empty())
+    const std::string error = points->TrySetParameter(parameter, value);
+    if (!error.empty())
     {
-      throw UsageError(option + " " + parameter + ": " + wrong);
+      throw UsageError(option + " " + parameter + ": " + error);
     }
     choice.Values.emplace_back(parameter, value);
   }

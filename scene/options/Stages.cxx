@@ -22,8 +22,8 @@ std::string TrySwitch(vtkRelievoStage* stage, const std::string& words)
   vtkRelievoParameterList list;
   list.AddFlag(
     "enabled", enabled, [stage](bool on) { stage->SetEnabled(on); }, "");
-  const std::string wrong = list.TrySet("enabled", words);
-  return wrong.empty() ? wrong : stage->GetStageName() + ":enabled: " + wrong;
+  const std::string error = list.TrySet("enabled", words);
+  return error.empty() ? error : stage->GetStageName() + ":enabled: " + error;
 }
 }
 
@@ -128,11 +128,11 @@ void SetStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages)
     stage->SetEnabled(stage->GetEnabled() || !stage->GetDescription().ServesWhenOff);
     for (const auto& [name, value] : choice.Parameters)
     {
-      const std::string wrong =
+      const std::string error =
         name == "enabled" ? TrySwitch(stage, value) : stage->TrySetParameter(name, value);
-      if (!wrong.empty())
+      if (!error.empty())
       {
-        throw UsageError(choice.Option + " " + wrong);
+        throw UsageError(choice.Option + " " + error);
       }
     }
   }

@@ -56,7 +56,7 @@ void vtkRelievoSampleStage::Execute(vtkRelievoFrameContext& context)
     context, "sample/sampleFS.glsl", { vtkRelievoResources::Depth, vtkRelievoResources::Color });
   if (!program)
   {
-    this->Explain("failed", this->Quad->GetWrong());
+    this->Explain("failed", this->Quad->GetError());
     return;
   }
   const float color[3] = { static_cast<float>(this->Color[0]), static_cast<float>(this->Color[1]),

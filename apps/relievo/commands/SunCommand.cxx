@@ -143,10 +143,10 @@ private:
         days[i][k] = std::stoi(numbers[k + 1].str());
       }
     }
-    const std::string wrong = vtkRelievoSunExposure::CheckDays(days[0], days[1]);
-    if (!wrong.empty())
+    const std::string error = vtkRelievoSunExposure::CheckDays(days[0], days[1]);
+    if (!error.empty())
     {
-      throw words::UsageError("--dates " + value + ": " + wrong);
+      throw words::UsageError("--dates " + value + ": " + error);
     }
     this->Sun->SetFirstDay(days[0]);
     this->Sun->SetLastDay(days[1]);

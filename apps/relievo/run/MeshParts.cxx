@@ -332,11 +332,11 @@ std::string MeshParts::Merge(reading::Progress& progress) const
     const std::string path = this->GetPath(part, ".bin");
     const Json record = dataset::ReadWorkJson(this->GetPath(part, ".json"));
     std::string bytes;
-    const std::string wrong =
+    const std::string error =
       vtkRelievoFileKind::ReadWhole(path, std::numeric_limits<std::size_t>::max(), bytes);
-    if (!wrong.empty())
+    if (!error.empty())
     {
-      throw words::FileError(path + ": " + wrong);
+      throw words::FileError(path + ": " + error);
     }
     std::size_t at = 0;
     for (const Json& description : record["arrays"])

@@ -130,10 +130,10 @@ Session LoadSession(const QString& path)
 {
   constexpr std::size_t most = std::size_t(1) << 26;
   std::string text;
-  const std::string wrong = vtkRelievoFileKind::ReadWhole(path.toStdString(), most, text);
-  if (!wrong.empty())
+  const std::string message = vtkRelievoFileKind::ReadWhole(path.toStdString(), most, text);
+  if (!message.empty())
   {
-    Fail(path, QString::fromStdString(wrong));
+    Fail(path, QString::fromStdString(message));
   }
   QJsonParseError trouble;
   const QJsonObject root =

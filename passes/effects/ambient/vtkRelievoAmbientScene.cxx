@@ -33,7 +33,7 @@ glm::dvec3 GetOrigin(const vtkRelievoFrameCamera& view)
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoAmbientScene::Begin(
-  const vtkRelievoFrameContext& context, const std::string& wrong)
+  const vtkRelievoFrameContext& context, const std::string& error)
 {
   const glm::dvec3 origin = GetOrigin(context.SteadyView);
   vtkRelievoMeshPart part;
@@ -41,16 +41,16 @@ std::string vtkRelievoAmbientScene::Begin(
   this->Others.SetController(context.Controller);
   if (!this->Others.IsOn())
   {
-    return wrong.empty() ? this->Update(context.Window, part.Meshes, origin) : wrong;
+    return error.empty() ? this->Update(context.Window, part.Meshes, origin) : error;
   }
-  const bool ready = wrong.empty() && this->Tree.IsIn(context.Window, origin) && this->Tree.Bind();
+  const bool ready = error.empty() && this->Tree.IsIn(context.Window, origin) && this->Tree.Bind();
   std::string fault = this->Others.Share(part, ready);
   if (!fault.empty())
   {
     return fault;
   }
   fault =
-    wrong.empty() ? this->Update(context.Window, this->Others.GetWhole().Meshes, origin) : wrong;
+    error.empty() ? this->Update(context.Window, this->Others.GetWhole().Meshes, origin) : error;
   return this->Others.Confirm(fault);
 }
 
@@ -58,8 +58,8 @@ std::string vtkRelievoAmbientScene::Begin(
 std::string vtkRelievoAmbientScene::Update(vtkOpenGLRenderWindow* window,
   const std::vector<vtkRelievoPlacedMesh>& meshes, const glm::dvec3& origin)
 {
-  const std::string wrong = this->Tree.Update(window, meshes, origin);
-  return !wrong.empty() ? wrong
+  const std::string error = this->Tree.Update(window, meshes, origin);
+  return !error.empty() ? error
     : this->Tree.Bind() ? std::string()
                         : "all texture units of this OpenGL are taken";
 }

@@ -23,7 +23,7 @@ class vtkRelievoAmbientScene
 public:
   // Updates the tree, and takes a texture unit. Returns an error message, or an empty string. All
   // processes that draw together call this, a process with an error (`wrong`) included.
-  std::string Begin(const vtkRelievoFrameContext& context, const std::string& wrong);
+  std::string Begin(const vtkRelievoFrameContext& context, const std::string& error);
   // Uniforms' names start with `relievo`, or with its replacement.
   void SetUniforms(vtkShaderProgram* program, const vtkRelievoFrameContext& context,
     const std::string& prefix = "relievo") const;

@@ -179,18 +179,18 @@ std::string vtkRelievoAmbientStage::BeginRays(vtkRelievoFrameContext& context)
   {
     return {};
   }
-  std::string wrong;
+  std::string error;
   if (!in.Noise.IsIn(context.Window))
   {
-    wrong = in.Noise.Upload(context.Window, vtkRelievoBlueNoise::GetThresholds(), 1);
+    error = in.Noise.Upload(context.Window, vtkRelievoBlueNoise::GetThresholds(), 1);
   }
-  wrong = in.Scene.Begin(context, wrong);
-  in.Begun = wrong.empty();
+  error = in.Scene.Begin(context, error);
+  in.Begun = error.empty();
   if (!in.Begun)
   {
     in.Scene.End(); // another process may have failed
   }
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -226,10 +226,10 @@ std::string vtkRelievoAmbientStage::DrawShare(vtkRelievoFrameContext& context)
   vtkRelievoScreenTarget::Format format;
   format.Channels = 1;
   format.Halves = false;
-  std::string wrong = in.Share.Prepare(context, format);
-  if (!wrong.empty())
+  std::string error = in.Share.Prepare(context, format);
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   vtkShaderProgram* program = in.Find.Ready(context, "ambient/shareFS.glsl",
     { vtkRelievoResources::Depth, vtkRelievoResources::GeometricNormal });
@@ -243,7 +243,7 @@ std::string vtkRelievoAmbientStage::DrawShare(vtkRelievoFrameContext& context)
     this->DrawCalls = 1;
     context.ProvideLayer(Layer, &in.Share);
   }
-  return in.Find.GetWrong();
+  return in.Find.GetError();
 }
 
 //------------------------------------------------------------------------------
@@ -261,7 +261,7 @@ std::string vtkRelievoAmbientStage::DrawColor(vtkRelievoFrameContext& context)
     state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     this->DrawCalls += context.DrawColor(in.Darken, false) ? 1 : 0;
   }
-  return in.Darken.GetWrong();
+  return in.Darken.GetError();
 }
 
 //------------------------------------------------------------------------------
@@ -269,18 +269,18 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   this->DrawCalls = 0;
-  std::string wrong = this->BeginRays(context);
+  std::string error = this->BeginRays(context);
   const bool darkens = !this->OnlyCatchers && context.IsAsked(this, vtkRelievoResources::Color);
-  if (wrong.empty() && (darkens || context.IsLayerAsked(this, Layer)))
+  if (error.empty() && (darkens || context.IsLayerAsked(this, Layer)))
   {
-    wrong = this->DrawShare(context);
+    error = this->DrawShare(context);
   }
-  if (wrong.empty() && darkens)
+  if (error.empty() && darkens)
   {
-    wrong = this->DrawColor(context);
+    error = this->DrawColor(context);
   }
-  const bool isChange = in.Reported.IsChange(wrong);
-  if (wrong.empty())
+  const bool isChange = in.Reported.IsChange(error);
+  if (error.empty())
   {
     const int rays = std::min(this->Samples, this->SamplesPerFrame);
     std::ostringstream words;
@@ -306,12 +306,12 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
   }
   else
   {
-    this->Explain("failed", wrong);
+    this->Explain("failed", error);
     // Only one process reports the error.
     vtkMultiProcessController* all = context.Controller;
     if (isChange && (!all || all->GetLocalProcessId() == 0))
     {
-      vtkErrorMacro("There is no ambient occlusion: " << wrong << ".");
+      vtkErrorMacro("There is no ambient occlusion: " << error << ".");
     }
   }
 }
@@ -322,10 +322,10 @@ std::string vtkRelievoAmbientStage::ReadLayers(
 {
   for (const std::string& name : names)
   {
-    const std::string wrong = this->Internal->Share.Read(name, 1, image);
-    if (!wrong.empty())
+    const std::string error = this->Internal->Share.Read(name, 1, image);
+    if (!error.empty())
     {
-      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+      return "The layer '" + name + "' cannot be read: " + error + ".";
     }
   }
   return {};

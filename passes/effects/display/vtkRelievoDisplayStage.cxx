@@ -132,17 +132,17 @@ void vtkRelievoDisplayStage::Declare(
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoDisplayStage::IsGood(const std::string& wrong)
+bool vtkRelievoDisplayStage::IsGood(const std::string& error)
 {
-  if (this->Internal->Refused.IsChange(wrong))
+  if (this->Internal->Refused.IsChange(error))
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    this->Explain("failed", wrong);
+    this->Explain("failed", error);
   }
-  return wrong.empty();
+  return error.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -242,11 +242,11 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     "#define RELIEVO_SHOW_" + (colors ? "COLORS" : shader) + "\n");
   if (!program)
   {
-    const std::string wrong = in.Quad.GetWrong();
-    this->Explain("failed", wrong);
-    if (in.Failed.IsChange(wrong))
+    const std::string error = in.Quad.GetError();
+    this->Explain("failed", error);
+    if (in.Failed.IsChange(error))
     {
-      vtkErrorMacro("The layer '" << this->Layer << "' is not shown: " << wrong << ".");
+      vtkErrorMacro("The layer '" << this->Layer << "' is not shown: " << error << ".");
     }
     return;
   }

@@ -142,7 +142,7 @@ private:
   bool UploadColors(vtkRelievoFrameContext& context);
 
   // Reports an error of the layer once and marks the stage as failed; false if there is an error.
-  bool IsGood(const std::string& wrong);
+  bool IsGood(const std::string& error);
 
   // Uploads the colour map as a texture of one row.
   void UploadMap(vtkRelievoFrameContext& context);

@@ -141,7 +141,7 @@ std::string vtkRelievoShownValues::Measure(
       "#define RELIEVO_SHOW_" + vtkRelievoLayerCatalogue::Find(layer).Shader + "\n");
   if (!program)
   {
-    return this->Quad.GetWrong();
+    return this->Quad.GetError();
   }
   const float squares[2] = { static_cast<float>(area[2]), static_cast<float>(area[3]) };
   program->SetUniform2f("relievoSquares", squares);
@@ -197,10 +197,10 @@ std::string vtkRelievoShownValues::Find(
   }
   else
   {
-    const std::string wrong = this->Measure(context, layer, range);
-    if (!wrong.empty() || !std::isfinite(range[0]))
+    const std::string error = this->Measure(context, layer, range);
+    if (!error.empty() || !std::isfinite(range[0]))
     {
-      return wrong;
+      return error;
     }
     // If only the ground is in sight, its whole range counts.
     if (ground && extent[0] < range[1] && extent[1] > range[0])

@@ -95,19 +95,19 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
   vtkRelievoScreenTarget::Format format;
   format.Halves = false;
   format.Depth = options.Dominant;
-  std::string wrong = this->Target.Prepare(context, format);
+  std::string error = this->Target.Prepare(context, format);
   vtkRelievoResource* depth =
     context.Find(this->BeforeDrawn ? vtkRelievoResources::Drawn : vtkRelievoResources::Depth);
   const bool any = !this->Texels.empty();
-  if (wrong.empty() && any && !depth)
+  if (error.empty() && any && !depth)
   {
-    wrong = "the frame has no layer 'depth'";
+    error = "the frame has no layer 'depth'";
   }
-  if (wrong.empty() && any)
+  if (error.empty() && any)
   {
-    wrong = this->Spheres.Upload(context.Window, this->Texels, 4);
+    error = this->Spheres.Upload(context.Window, this->Texels, 4);
   }
-  if (wrong.empty() && any)
+  if (error.empty() && any)
   {
     std::string defines = depth->GetDefines();
     for (vtkRelievoResource* each : nearer)
@@ -118,11 +118,11 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
       defines + (this->BeforeDrawn ? "#define RELIEVO_FOG_DRAWN_DEPTH\n" : "") +
         (options.Chord ? "#define RELIEVO_FOG_CHORD\n" : "") +
         (options.Dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""));
-    wrong = quads.GetWrong();
+    error = quads.GetError();
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
 
   this->Target.Begin(context, 0.0f, options.Everywhere || !any ? nullptr : this->Part);

@@ -189,11 +189,11 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
   this->NumberDrawn = 0;
   const vtkRelievoSphereRays rays(context.View);
   in.Buffer.BeforeDrawn = this->DrawnDepthSuffices && !context.IsLayerAsked(this, "fog");
-  std::string wrong;
+  std::string error;
   int spheres = 0;
   if (!rays.IsUsual())
   {
-    wrong = "the camera's projection has depths that change across the picture";
+    error = "the camera's projection has depths that change across the picture";
   }
   else
   {
@@ -204,22 +204,22 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
       spheres += static_cast<int>(fog->GetSharedRows().size()) / fog->GetRowWidth();
     }
     this->NumberDrawn = in.Buffer.GetNumberOfSpheres();
-    wrong = this->DrawBeforeTranslucent(context, rays);
-    if (wrong.empty())
+    error = this->DrawBeforeTranslucent(context, rays);
+    if (error.empty())
     {
       vtkRelievoFogBuffer::Options options = GetOptions(this);
       options.Everywhere = context.IsLayerAsked(this, "fog");
-      wrong = in.Buffer.Draw(context, rays, options);
+      error = in.Buffer.Draw(context, rays, options);
     }
   }
-  if (wrong.empty())
+  if (error.empty())
   {
     context.ProvideLayer("fog", &in.Buffer.Target);
     this->DrawCalls += this->NumberDrawn > 0 ? 1 : 0;
     this->Explain("ran",
       "draws " + std::to_string(this->NumberDrawn) + " of " + std::to_string(spheres) + " spheres");
   }
-  if (wrong.empty() && this->NumberDrawn > 0 && context.IsAsked(this, vtkRelievoResources::Color))
+  if (error.empty() && this->NumberDrawn > 0 && context.IsAsked(this, vtkRelievoResources::Color))
   {
     const bool finishes = context.FinishesColor();
     if (finishes &&
@@ -241,10 +241,10 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
     }
     else
     {
-      wrong = finishes ? in.Finish.GetWrong() : in.Quad.GetWrong();
+      error = finishes ? in.Finish.GetError() : in.Quad.GetError();
     }
   }
-  this->ReportFault(wrong);
+  this->ReportFault(error);
 }
 
 //------------------------------------------------------------------------------
@@ -270,10 +270,10 @@ std::string vtkRelievoFogStage::DrawBeforeTranslucent(
   {
     nearer.push_back(volumes);
   }
-  const std::string wrong = in.Buffer.Draw(context, rays, GetOptions(this), nearer);
-  if (!wrong.empty())
+  const std::string error = in.Buffer.Draw(context, rays, GetOptions(this), nearer);
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   context.ProvideLayer("fog", &in.Buffer.Target);
   if (in.Quad.Ready(context, "fog/colorFS.glsl", { vtkRelievoResourceName::Of("fog") }))
@@ -286,7 +286,7 @@ std::string vtkRelievoFogStage::DrawBeforeTranslucent(
     layer->End();
     this->DrawCalls += 2;
   }
-  return in.Quad.GetWrong();
+  return in.Quad.GetError();
 }
 
 //------------------------------------------------------------------------------
@@ -297,10 +297,10 @@ std::string vtkRelievoFogStage::ReadLayers(
   {
     vtkNew<vtkImageData> drawn;
     drawn->SetDimensions(image->GetDimensions());
-    const std::string wrong = this->Internal->Buffer.Target.Read(name, 4, drawn);
-    if (!wrong.empty())
+    const std::string error = this->Internal->Buffer.Target.Read(name, 4, drawn);
+    if (!error.empty())
     {
-      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+      return "The layer '" + name + "' cannot be read: " + error + ".";
     }
     image->SetDimensions(drawn->GetDimensions());
     auto* depths = vtkFloatArray::SafeDownCast(drawn->GetPointData()->GetArray(name.c_str()));

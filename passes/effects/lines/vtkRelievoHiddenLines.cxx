@@ -158,16 +158,16 @@ std::string vtkRelievoHiddenLines::Draw(
   {
     return {};
   }
-  const std::string wrong = this->Pieces.Upload(context.Window, texels, 4);
-  if (!wrong.empty())
+  const std::string error = this->Pieces.Upload(context.Window, texels, 4);
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   vtkShaderProgram* program =
     this->Quads.Ready(context, "lines/hiddenVS.glsl", "lines/hiddenFS.glsl", depth->GetDefines());
   if (!program)
   {
-    return this->Quads.GetWrong();
+    return this->Quads.GetError();
   }
   program->SetUniformf("linesHalfWidth", static_cast<float>(settings.HalfWidth));
   program->SetUniformf("linesDashShare", static_cast<float>(vtkRelievoDashes::Share));

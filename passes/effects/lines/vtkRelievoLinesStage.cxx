@@ -129,16 +129,16 @@ std::string vtkRelievoLinesStage::Draw(vtkRelievoFrameContext& context)
   Internals& in = *this->Internal;
   vtkRelievoScreenTarget::Format format;
   format.Channels = this->Hidden == DASHED ? 4 : 2;
-  std::string wrong = in.Sides.Prepare(context, format);
-  wrong = wrong.empty() ? this->FindSides(context, false) : wrong;
-  wrong = wrong.empty() ? this->DrawHidden(context) : wrong;
-  wrong = wrong.empty() ? this->DrawSides(context, false) : wrong;
-  if (wrong.empty() && this->HasVolumes(context))
+  std::string error = in.Sides.Prepare(context, format);
+  error = error.empty() ? this->FindSides(context, false) : error;
+  error = error.empty() ? this->DrawHidden(context) : error;
+  error = error.empty() ? this->DrawSides(context, false) : error;
+  if (error.empty() && this->HasVolumes(context))
   {
-    wrong = this->FindSides(context, true);
-    wrong = wrong.empty() ? this->DrawSides(context, true) : wrong;
+    error = this->FindSides(context, true);
+    error = error.empty() ? this->DrawSides(context, true) : error;
   }
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -165,7 +165,7 @@ std::string vtkRelievoLinesStage::FindSides(vtkRelievoFrameContext& context, boo
   vtkShaderProgram* program = quad.Ready(context, "lines/sidesFS.glsl", reads, defines);
   if (!program)
   {
-    return quad.GetWrong();
+    return quad.GetError();
   }
   program->SetUniformi("linesOutlines", this->Outlines);
   program->SetUniformi("linesFolds", this->Folds);
@@ -188,7 +188,7 @@ std::string vtkRelievoLinesStage::DrawSides(vtkRelievoFrameContext& context, boo
     this->Hidden == DASHED ? "#define LINES_HIDDEN\n" : "");
   if (!program)
   {
-    return in.Draw.GetWrong();
+    return in.Draw.GetError();
   }
   const float color[3] = { static_cast<float>(this->Color[0]), static_cast<float>(this->Color[1]),
     static_cast<float>(this->Color[2]) };
@@ -232,8 +232,8 @@ std::string vtkRelievoLinesStage::DrawHidden(vtkRelievoFrameContext& context)
   settings.CreaseCosine = std::cos(vtkMath::RadiansFromDegrees(this->CreaseAngle));
   settings.HalfWidth = 0.5 * this->Width;
   settings.Dash = this->Dash;
-  const std::string wrong = in.Hidden.Draw(context, in.Sides, settings);
-  if (wrong.empty())
+  const std::string error = in.Hidden.Draw(context, in.Sides, settings);
+  if (error.empty())
   {
     ++this->DrawCalls;
     const int leftOut = in.Hidden.GetNumberOfPropsLeftOut();
@@ -245,25 +245,25 @@ std::string vtkRelievoLinesStage::DrawHidden(vtkRelievoFrameContext& context)
                         : " props without readable triangles have no hidden lines"));
     }
   }
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoLinesStage::Execute(vtkRelievoFrameContext& context)
 {
   this->DrawCalls = 0;
-  const std::string wrong = this->Draw(context);
+  const std::string error = this->Draw(context);
   if (!this->HasVolumes(context))
   {
     this->Explain("ran", this->GetReason() + vtkRelievoTellVolumes(context, "without lines"));
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    this->Explain("failed", wrong);
+    this->Explain("failed", error);
   }
-  if (this->Internal->Reported.IsChange(wrong))
+  if (this->Internal->Reported.IsChange(error))
   {
-    vtkErrorMacro("Lines are not drawn: " << wrong << ".");
+    vtkErrorMacro("Lines are not drawn: " << error << ".");
   }
 }
 

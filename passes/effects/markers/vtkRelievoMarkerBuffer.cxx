@@ -25,30 +25,30 @@ std::string vtkRelievoMarkerBuffer::Draw(
 {
   vtkRelievoScreenTarget::Format format;
   format.Halves = false;
-  std::string wrong = this->Target.Prepare(context, format);
+  std::string error = this->Target.Prepare(context, format);
   const int count = list.GetNumberDrawn();
   vtkRelievoResource* depth = context.Find(vtkRelievoResources::Depth);
   vtkRelievoResource* normal =
     list.GetShadows() ? context.Find(vtkRelievoResources::Normal) : depth;
-  if (wrong.empty() && count > 0 && (!depth || !normal))
+  if (error.empty() && count > 0 && (!depth || !normal))
   {
-    wrong = std::string("the frame has no layer '") + (depth ? "normal" : "depth") + "'";
+    error = std::string("the frame has no layer '") + (depth ? "normal" : "depth") + "'";
   }
-  if (wrong.empty() && count > 0)
+  if (error.empty() && count > 0)
   {
-    wrong = this->Markers.Upload(context.Window, list.GetTexels(), 4);
+    error = this->Markers.Upload(context.Window, list.GetTexels(), 4);
   }
   vtkShaderProgram* program = nullptr;
-  if (wrong.empty() && count > 0)
+  if (error.empty() && count > 0)
   {
     program = this->Quads.Ready(context, "marker/markerVS.glsl", "marker/markerFS.glsl",
       depth->GetDefines() + (normal == depth ? "" : normal->GetDefines()) +
         (list.GetShadows() ? "#define RELIEVO_MARKER_SHADOWS\n" : ""));
-    wrong = this->Quads.GetWrong();
+    error = this->Quads.GetError();
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   this->Target.Begin(context);
   if (count > 0)

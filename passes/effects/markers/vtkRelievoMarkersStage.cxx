@@ -91,10 +91,10 @@ std::string vtkRelievoMarkersStage::Draw(vtkRelievoFrameContext& context)
     return "the camera's projection has depths that change across the picture";
   }
   in.List.Take(context.View, this->GetSets<vtkRelievoMarkers>(), true);
-  const std::string wrong = in.Buffer.Draw(context, in.List);
-  if (!wrong.empty())
+  const std::string error = in.Buffer.Draw(context, in.List);
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   this->NumberDrawn = in.List.GetNumberDrawn();
   context.ProvideLayer("marker", &in.Buffer.Target);
@@ -108,7 +108,7 @@ std::string vtkRelievoMarkersStage::Draw(vtkRelievoFrameContext& context)
   }
   if (!in.Quad.Ready(context, "marker/colorFS.glsl", { vtkRelievoResourceName::Of("marker") }))
   {
-    return in.Quad.GetWrong();
+    return in.Quad.GetError();
   }
   vtkOpenGLState* state = context.Window->GetState();
   const vtkRelievoScopedState kept(state);
@@ -132,10 +132,10 @@ std::string vtkRelievoMarkersStage::ReadLayers(
 {
   for (const std::string& name : names)
   {
-    const std::string wrong = this->Internal->Buffer.Target.Read(name, 1, image, 3);
-    if (!wrong.empty())
+    const std::string error = this->Internal->Buffer.Target.Read(name, 1, image, 3);
+    if (!error.empty())
     {
-      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+      return "The layer '" + name + "' cannot be read: " + error + ".";
     }
   }
   return {};

@@ -75,7 +75,7 @@ std::string vtkRelievoLuminanceMeter::Measure(vtkRelievoFrameContext& context)
           { vtkRelievoResources::Color, vtkRelievoResources::Drawn }, "#define RELIEVO_FIRST\n");
     if (!program)
     {
-      return quad.GetWrong();
+      return quad.GetError();
     }
     const int size[2] = { summed ? GetWidth(*summed) : this->Size[0],
       summed ? GetHeight(*summed) : this->Size[1] };

@@ -169,12 +169,12 @@ void vtkRelievoToneStage::Declare(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoToneStage::Fail(const std::string& wrong)
+void vtkRelievoToneStage::Fail(const std::string& error)
 {
-  this->Explain("failed", wrong);
-  if (this->Internal->Reported.IsChange(wrong))
+  this->Explain("failed", error);
+  if (this->Internal->Reported.IsChange(error))
   {
-    vtkErrorMacro("Tones are not mapped: " << wrong << ".");
+    vtkErrorMacro("Tones are not mapped: " << error << ".");
   }
 }
 
@@ -227,10 +227,10 @@ void vtkRelievoToneStage::Execute(vtkRelievoFrameContext& context)
   this->DrawCalls = 0;
   if (this->AutoExposure)
   {
-    const std::string wrong = in.Meter.Measure(context);
-    if (!wrong.empty())
+    const std::string error = in.Meter.Measure(context);
+    if (!error.empty())
     {
-      this->Fail(wrong);
+      this->Fail(error);
       return;
     }
     this->DrawCalls = in.Meter.GetDrawCalls();
@@ -249,7 +249,7 @@ void vtkRelievoToneStage::Execute(vtkRelievoFrameContext& context)
     { vtkRelievoResources::Color, vtkRelievoResources::Drawn }, chosen);
   if (!program)
   {
-    this->Fail(in.Quad.GetWrong());
+    this->Fail(in.Quad.GetError());
     return;
   }
   program->SetUniformf("toneWhite", static_cast<float>(this->White));

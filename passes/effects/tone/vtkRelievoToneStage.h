@@ -140,7 +140,7 @@ private:
   void operator=(const vtkRelievoToneStage&) = delete;
 
   bool HasWork() const;
-  void Fail(const std::string& wrong);
+  void Fail(const std::string& error);
   void UploadThresholds(vtkRelievoFrameContext& context);
   const float* ToneBackground(const vtkRelievoFrameContext& context, float color[4]) const;
 

@@ -27,13 +27,13 @@ std::string vtkRelievoSampleMarks::Begin(vtkRelievoFrameContext& context, const 
 {
   vtkRelievoScreenTarget::Format format;
   format.Channels = 1;
-  const std::string wrong = this->Target.Prepare(context, format);
-  if (wrong.empty())
+  const std::string error = this->Target.Prepare(context, format);
+  if (error.empty())
   {
     this->Target.Begin(context, 0.0f, part);
     this->Target.End();
   }
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -41,7 +41,7 @@ std::string vtkRelievoSampleMarks::Find(vtkRelievoFrameContext& context, const i
 {
   if (!this->Quad.Ready(context, "frame/marksFS.glsl", { vtkRelievoResources::Samples }))
   {
-    return this->Quad.GetWrong();
+    return this->Quad.GetError();
   }
   this->Target.GoOn(context);
   this->Quad.Draw(context, this->Target.GetArea(), vtkRelievoScreenQuad::NO_DEPTH, part);
@@ -55,10 +55,10 @@ std::string vtkRelievoSampleMarks::Collect(const int part[4])
   this->Number = 0;
   this->Marked.clear();
   vtkNew<vtkImageData> image;
-  const std::string wrong = this->Target.Read("marks", 1, image);
-  if (!wrong.empty())
+  const std::string error = this->Target.Read("marks", 1, image);
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   const float* marks =
     vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(0))->GetPointer(0);
@@ -162,16 +162,16 @@ std::string vtkRelievoSampleMarks::Draw(vtkRelievoFrameContext& context, const g
 std::string vtkRelievoSampleMarks::Draw(
   vtkRelievoFrameContext& context, const std::vector<float>& rectangles, const glm::dmat4& toRaster)
 {
-  const std::string wrong = this->Rectangles.Upload(context.Window, rectangles, 4);
-  if (!wrong.empty())
+  const std::string error = this->Rectangles.Upload(context.Window, rectangles, 4);
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   vtkShaderProgram* program =
     this->Pixels.Ready(context, "frame/runsVS.glsl", "frame/runsFS.glsl", "");
   if (!program)
   {
-    return this->Pixels.GetWrong();
+    return this->Pixels.GetError();
   }
   vtkOpenGLState* state = context.Window->GetState();
   const vtkRelievoScopedState kept(state);

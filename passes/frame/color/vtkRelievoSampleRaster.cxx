@@ -393,7 +393,7 @@ void vtkRelievoSampleRaster::End(
       !this->Nearest.Ready(context, "frame/samplesFS.glsl", { vtkRelievoResources::Samples },
         "#define RELIEVO_DEPTH\n")))
   {
-    this->Fault = mean.GetWrong() + this->Nearest.GetWrong();
+    this->Fault = mean.GetError() + this->Nearest.GetError();
     return;
   }
   target.Put(context, mean, marked ? nullptr : &this->Nearest, part.data());

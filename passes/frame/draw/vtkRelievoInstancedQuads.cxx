@@ -32,7 +32,7 @@ vtkShaderProgram* vtkRelievoInstancedQuads::Ready(vtkRelievoFrameContext& contex
   {
     this->Program = cache->ReadyShaderProgram(this->Program);
   }
-  this->Wrong =
+  this->Error =
     this->Program ? "" : "its shader " + fragments + " does not compile; see the errors before";
   if (this->Program)
   {

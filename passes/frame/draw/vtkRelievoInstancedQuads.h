@@ -24,10 +24,10 @@ public:
 
   // The program of these files of the shader library, with the defines in both, current, and
   // recompiled after a change; the frame's size, clipping planes and projection are set by the
-  // uniforms of vtkRelievoScreenQuad. nullptr if it does not compile: see GetWrong().
+  // uniforms of vtkRelievoScreenQuad. nullptr if it does not compile: see GetError().
   vtkShaderProgram* Ready(vtkRelievoFrameContext& context, const std::string& vertices,
     const std::string& fragments, const std::string& defines);
-  const std::string& GetWrong() const { return this->Wrong; }
+  const std::string& GetError() const { return this->Error; }
 
   // Draws `count` quads with the current program into the bound framebuffer.
   void Draw(int count);
@@ -36,7 +36,7 @@ public:
 
 private:
   std::string Key; // source of the program
-  std::string Wrong;
+  std::string Error;
   vtkShaderProgram* Program = nullptr;
   unsigned int Arrays = 0; // empty, but OpenGL requires the object
 };

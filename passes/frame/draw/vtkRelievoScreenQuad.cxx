@@ -27,7 +27,7 @@ vtkShaderProgram* vtkRelievoScreenQuad::Ready(vtkRelievoFrameContext& context,
   const std::string& source, const std::vector<vtkRelievoResourceName>& reads,
   const std::string& defines)
 {
-  this->Wrong.clear();
+  this->Error.clear();
   this->Resources.clear();
   std::string all;
   for (const vtkRelievoResourceName& name : reads)
@@ -35,7 +35,7 @@ vtkShaderProgram* vtkRelievoScreenQuad::Ready(vtkRelievoFrameContext& context,
     vtkRelievoResource* resource = context.Find(name);
     if (!resource)
     {
-      this->Wrong = "the frame has no resource '" + name.Get() + "'";
+      this->Error = "the frame has no resource '" + name.Get() + "'";
       return nullptr;
     }
     auto& known = this->Resources;
@@ -62,7 +62,7 @@ vtkShaderProgram* vtkRelievoScreenQuad::Ready(vtkRelievoFrameContext& context,
   }
   if (!this->Quad)
   {
-    this->Wrong = "its shader " + source + " does not compile; see the errors before";
+    this->Error = "its shader " + source + " does not compile; see the errors before";
     return nullptr;
   }
   context.Window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);

@@ -34,10 +34,10 @@ public:
 
   // The program of this source (a name of vtkRelievoShaderLibrary), ready for its own uniforms;
   // recompiled only after a change of its inputs' structure or of `defines`. nullptr if it does not
-  // compile, or if the frame lacks an input: see GetWrong().
+  // compile, or if the frame lacks an input: see GetError().
   vtkShaderProgram* Ready(vtkRelievoFrameContext& context, const std::string& source,
     const std::vector<vtkRelievoResourceName>& reads, const std::string& defines = "");
-  const std::string& GetWrong() const { return this->Wrong; }
+  const std::string& GetError() const { return this->Error; }
 
   // Use of the bound depth: none; the shader's depth is written; only pixels with a written depth
   // are drawn.
@@ -60,7 +60,7 @@ private:
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   std::string Key;                            // inputs and defines of the program
   std::vector<vtkRelievoResource*> Resources; // inputs in this frame
-  std::string Wrong;
+  std::string Error;
 };
 
 #endif

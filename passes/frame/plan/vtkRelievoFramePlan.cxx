@@ -154,7 +154,7 @@ void vtkRelievoFramePlan::Refuse(Node& node, const std::string& words, bool told
   node.Declaration.Reason = words;
   if (!told)
   {
-    this->Wrong.push_back("The stage " + node.Name + " does not run: " + words);
+    this->Errors.push_back("The stage " + node.Name + " does not run: " + words);
   }
   this->Refused = true;
 }
@@ -245,18 +245,18 @@ void vtkRelievoFramePlan::AskFor(std::vector<Node>& nodes, const Name& name, int
     this->AskForColor(nodes, reader);
     return;
   }
-  const std::string wrong = ExplainMissing(nodes, name);
-  if (wrong.empty())
+  const std::string error = ExplainMissing(nodes, name);
+  if (error.empty())
   {
     this->Need(nodes, FindWriter(nodes, name), name.Resource);
   }
   else if (reader < 0)
   {
-    this->Missing[name.Resource] = wrong;
+    this->Missing[name.Resource] = error;
   }
   else
   {
-    this->Refuse(nodes[reader], "it reads '" + name.Resource + "', " + wrong);
+    this->Refuse(nodes[reader], "it reads '" + name.Resource + "', " + error);
   }
 }
 
@@ -368,12 +368,13 @@ void vtkRelievoFramePlan::Mark(
 std::vector<std::string> vtkRelievoFramePlan::Make(
   std::vector<Node>& nodes, const std::vector<std::string>& layers, bool picture)
 {
-  this->Wrong.clear();
+  this->Errors.clear();
   for (const Node& node : nodes)
   {
     if (!node.Declaration.Runs && node.Declaration.ReasonCode == "refused")
     {
-      this->Wrong.push_back("The stage " + node.Name + " does not run: " + node.Declaration.Reason);
+      this->Errors.push_back(
+        "The stage " + node.Name + " does not run: " + node.Declaration.Reason);
     }
   }
   do
@@ -390,5 +391,5 @@ std::vector<std::string> vtkRelievoFramePlan::Make(
       this->Order = order.Get();
     }
   } while (this->Refused);
-  return this->Wrong;
+  return this->Errors;
 }

@@ -85,7 +85,7 @@ private:
   void Refuse(Node& node, const std::string& words, bool told = false);
 
   std::vector<int> Order;
-  std::vector<std::string> Wrong;
+  std::vector<std::string> Errors;
   std::map<std::string, std::string> Missing;
   std::vector<std::string> OptionalLayers;
   std::string NoColor;

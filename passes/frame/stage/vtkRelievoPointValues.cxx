@@ -119,12 +119,12 @@ std::string vtkRelievoPointValues::GetParameter(RELIEVO_TEXT name)
 //------------------------------------------------------------------------------
 bool vtkRelievoPointValues::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
-  const std::string wrong = this->TrySetParameter(name, words);
-  if (!wrong.empty())
+  const std::string message = this->TrySetParameter(name, words);
+  if (!message.empty())
   {
-    vtkErrorMacro(<< name << ": " << wrong << ".");
+    vtkErrorMacro(<< name << ": " << message << ".");
   }
-  return wrong.empty();
+  return message.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -136,12 +136,12 @@ std::string vtkRelievoPointValues::TrySetParameter(RELIEVO_TEXT name, RELIEVO_TE
     this->SetArray(name, words);
     return {};
   }
-  const std::string wrong = this->Description.TrySet(name, words);
-  if (wrong.empty() && parameter->PerPoint)
+  const std::string message = this->Description.TrySet(name, words);
+  if (message.empty() && parameter->PerPoint)
   {
     this->SetArray(name, {});
   }
-  return wrong;
+  return message;
 }
 
 //------------------------------------------------------------------------------
@@ -399,12 +399,12 @@ void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* c
   const vtkIdType count = data->GetNumberOfPoints();
   vtkDataArray* array =
     value.Array.empty() ? nullptr : data->GetPointData()->GetArray(value.Array.c_str());
-  std::string wrong;
+  std::string message;
   if (!array && value.Array != value.Name && !value.Array.empty())
   {
     vtkAbstractArray* other = data->GetPointData()->GetAbstractArray(value.Array.c_str());
-    wrong = other ? std::string("holds no numbers (it is a ") + other->GetClassName() + ")"
-                  : std::string("is not among the point arrays");
+    message = other ? std::string("holds no numbers (it is a ") + other->GetClassName() + ")"
+                    : std::string("is not among the point arrays");
   }
   else if (array)
   {
@@ -412,18 +412,19 @@ void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* c
     const bool fits = components == value.Components || (value.Components == 3 && components == 4);
     if (!fits)
     {
-      wrong = "has " + std::to_string(components) + " components";
+      message = "has " + std::to_string(components) + " components";
     }
     else if (array->GetNumberOfTuples() != count)
     {
-      wrong = "has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+      message = "has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
         std::to_string(count) + " points";
     }
   }
-  if (!wrong.empty())
+  if (!message.empty())
   {
     const std::string error = "The array '" + value.Array + "', asked for the " + value.Name +
-      ", " + wrong + "; needed: " + (value.Components == 3 ? "red, green and blue" : "one number") +
+      ", " + message +
+      "; needed: " + (value.Components == 3 ? "red, green and blue" : "one number") +
       " per point. One " + value.Name + " is taken for all points.";
     if (this->Reported.IsNew(error))
     {

@@ -48,8 +48,8 @@ std::string vtkRelievoStage::TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT wor
   const vtkRelievoStageDescription& description = this->GetDescription();
   if (const vtkRelievoParameter* parameter = description.Find(name))
   {
-    const std::string wrong = parameter->Parse(words);
-    return wrong.empty() ? wrong : description.Name + ":" + name + ": " + wrong;
+    const std::string error = parameter->Parse(words);
+    return error.empty() ? error : description.Name + ":" + name + ": " + error;
   }
   const std::string names = description.GetNames();
   return "the stage " + description.Name + " has no parameter '" + name + "', " +
@@ -59,12 +59,12 @@ std::string vtkRelievoStage::TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT wor
 //------------------------------------------------------------------------------
 bool vtkRelievoStage::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
-  const std::string wrong = this->TrySetParameter(name, words);
-  if (!wrong.empty())
+  const std::string error = this->TrySetParameter(name, words);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< wrong << ".");
+    vtkErrorMacro(<< error << ".");
   }
-  return wrong.empty();
+  return error.empty();
 }
 
 //------------------------------------------------------------------------------

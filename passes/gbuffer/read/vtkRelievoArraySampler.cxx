@@ -122,7 +122,7 @@ bool vtkRelievoArraySampler::FindHidden(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoArraySampler::Prepare(vtkRenderer* renderer, int& components, std::string& wrong)
+int vtkRelievoArraySampler::Prepare(vtkRenderer* renderer, int& components, std::string& error)
 {
   const std::vector<vtkRelievoDrawTable::Hit> meshes = this->Draws.GetMeshes();
   for (const vtkRelievoDrawTable::Hit& hit : meshes)
@@ -143,13 +143,13 @@ int vtkRelievoArraySampler::Prepare(vtkRenderer* renderer, int& components, std:
   }
   if (this->Sources.empty() && !meshes.empty() && !(renderer && this->FindHidden(renderer)))
   {
-    wrong =
+    error =
       "it is neither a layer nor a point or cell array of any data in the renderer. Layers are " +
       vtkRelievoLayerCatalogue::GetLayerNames();
   }
   else if (this->Components > MaximumComponents)
   {
-    wrong = "it has " + std::to_string(this->Components) + " components, but at most " +
+    error = "it has " + std::to_string(this->Components) + " components, but at most " +
       std::to_string(MaximumComponents) + " are read";
   }
   this->Components = std::max(1, this->Components);

@@ -33,7 +33,7 @@ public:
 
   // Looks the array up in the drawn meshes, else in all of the renderer's data, which may be hidden
   // or translucent; returns VTK_FLOAT or VTK_DOUBLE, and sets an error message.
-  int Prepare(vtkRenderer* renderer, int& components, std::string& wrong);
+  int Prepare(vtkRenderer* renderer, int& components, std::string& error);
 
   struct Source
   {

@@ -176,7 +176,7 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
   {
     return "the last frame did not make it; ask for it (RequestLayer) and render before";
   }
-  std::string wrong;
+  std::string error;
   vtkSmartPointer<vtkDataArray> array;
   const vtkRelievoLayer& known = Know(layer, this->Layout);
   switch (known.Source)
@@ -197,14 +197,14 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
       array = this->ReadId(layer);
       break;
     case vtkRelievoLayer::FROM_SHADOW:
-      array = this->ReadShadow(needed.Shadows.front(), wrong);
+      array = this->ReadShadow(needed.Shadows.front(), error);
       break;
     case vtkRelievoLayer::FROM_PICTURE:
-      wrong = "it belongs to the picture; read it with vtkRelievoPass::ReadLayers";
+      error = "it belongs to the picture; read it with vtkRelievoPass::ReadLayers";
       break;
     default:
-      array = this->ReadNamedArray(layer, wrong);
-      wrong += !wrong.empty() && vtkRelievoLayerCatalogue::GetIsOfLight(layer)
+      array = this->ReadNamedArray(layer, error);
+      error += !error.empty() && vtkRelievoLayerCatalogue::GetIsOfLight(layer)
         ? ", and no light has this name (vtkRelievoShadowStage::GetShadowLayers)"
         : "";
   }
@@ -213,7 +213,7 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
     array->SetName(layer.c_str());
     image->GetPointData()->AddArray(array);
   }
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -466,13 +466,13 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& l
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
-  const std::string& layer, std::string& wrong)
+  const std::string& layer, std::string& error)
 {
   this->ResolveDraws();
   vtkRelievoArraySampler sampler(layer, *this->Draws, this->View);
   int components = 0;
-  const int type = sampler.Prepare(this->Renderer, components, wrong);
-  if (!wrong.empty())
+  const int type = sampler.Prepare(this->Renderer, components, error);
+  if (!error.empty())
   {
     return nullptr;
   }
@@ -517,12 +517,12 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadAlbedo()
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadShadow(int light, std::string& wrong)
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadShadow(int light, std::string& error)
 {
   const int lights = this->Renderer ? this->Renderer->GetLights()->GetNumberOfItems() : 0;
   if (light >= lights)
   {
-    wrong = "the renderer has " + std::to_string(lights) + (lights == 1 ? " light" : " lights") +
+    error = "the renderer has " + std::to_string(lights) + (lights == 1 ? " light" : " lights") +
       ", counted from 0";
     return nullptr;
   }

@@ -73,9 +73,9 @@ private:
   vtkSmartPointer<vtkDataArray> ReadPoints(const vtkRelievoLayer& layer);
   vtkSmartPointer<vtkDataArray> ReadNormal(int firstWord);
   vtkSmartPointer<vtkDataArray> ReadAlbedo();
-  vtkSmartPointer<vtkDataArray> ReadShadow(int light, std::string& wrong);
+  vtkSmartPointer<vtkDataArray> ReadShadow(int light, std::string& error);
   vtkSmartPointer<vtkDataArray> ReadId(const std::string& layer);
-  vtkSmartPointer<vtkDataArray> ReadNamedArray(const std::string& layer, std::string& wrong);
+  vtkSmartPointer<vtkDataArray> ReadNamedArray(const std::string& layer, std::string& error);
 
   const vtkRelievoGBufferLayout& Layout;
   vtkRelievoGBufferTarget& Target;

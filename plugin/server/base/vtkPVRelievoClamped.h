@@ -38,11 +38,11 @@ inline void vtkPVRelievoSet(vtkObject* self, const vtkRelievoParameterList& list
   const std::string& name, const std::vector<double>& values)
 {
   const vtkRelievoParameter* parameter = list.Find(name);
-  const std::string wrong =
+  const std::string error =
     parameter ? parameter->Set(values) : std::string("there is no such value here");
-  if (!wrong.empty() && vtkPVRelievoReports())
+  if (!error.empty() && vtkPVRelievoReports())
   {
-    vtkWarningWithObjectMacro(self, << name << ": " << wrong << "; it stays as it was.");
+    vtkWarningWithObjectMacro(self, << name << ": " << error << "; it stays as it was.");
   }
 }
 

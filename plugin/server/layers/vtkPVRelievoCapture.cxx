@@ -51,12 +51,12 @@ std::string ReadSome(
   while (next != names.end())
   {
     const std::vector<std::string> rest(next, names.end());
-    const std::string wrong = frame->TryReadLayers(rest, image);
-    if (wrong.empty())
+    const std::string error = frame->TryReadLayers(rest, image);
+    if (error.empty())
     {
       break;
     }
-    first = first.empty() ? wrong : first;
+    first = first.empty() ? error : first;
     next = std::find_if(next, names.end(),
       [&](const std::string& name) { return !image->GetPointData()->HasArray(name.c_str()); });
     next += next != names.end() ? 1 : 0;
@@ -193,24 +193,24 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
     return; // the root drew everything
   }
   std::vector<std::string> names = in.Requested;
-  std::string wrong;
+  std::string error;
   if (!view)
   {
-    wrong = "Relievo does not work in this view. Take a render view made after the plugin was "
+    error = "Relievo does not work in this view. Take a render view made after the plugin was "
             "loaded.";
   }
   else if (!names.empty() && !view->IsInPlace())
   {
-    wrong = "The view was not drawn with Relievo: it is hidden, or another feature draws it (ray "
+    error = "The view was not drawn with Relievo: it is hidden, or another feature draws it (ray "
             "tracing, for example). Show the view or switch that off, and grab again.";
   }
   else if (!names.empty() && view->GetFrame()->GetLayersStage()->GetHoldsLayers())
   {
-    wrong = ReadSome(view->GetFrame(), names, in.Image);
+    error = ReadSome(view->GetFrame(), names, in.Image);
   }
   else if (!names.empty() && processes == 1)
   {
-    wrong = "The view was not drawn. Show it, and grab again.";
+    error = "The view was not drawn. Show it, and grab again.";
   }
 
   if (processes > 1 && !names.empty())
@@ -221,7 +221,7 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
       names.emplace_back(ProcessLayer);
     }
     const std::string parted = vtkPVRelievoLayerMerge::Merge(controller, names, in.Image);
-    wrong = parted.empty() ? wrong : "The processes' layers do not fit together: " + parted + ".";
+    error = parted.empty() ? error : "The processes' layers do not fit together: " + parted + ".";
     if (process != 0)
     {
       return;
@@ -242,7 +242,7 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
         IsOfSolidVolumes(name, view, renderer));
     if (apart)
     {
-      wrong = "'" + name + "' is known only for a whole volume, of which each of the " +
+      error = "'" + name + "' is known only for a whole volume, of which each of the " +
         std::to_string(processes) +
         " processes draws a part. Run ParaView with one process, or leave out the layers of "
         "volumes, and switch Volumes Are Solid off.";
@@ -250,12 +250,12 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
     if (apart || !in.Image->GetPointData()->HasArray(name.c_str()))
     {
       // A layer missing on another process is no error.
-      wrong = wrong.empty() ? "Nothing that is drawn has the array '" + name + "'." : wrong;
+      error = error.empty() ? "Nothing that is drawn has the array '" + name + "'." : error;
       in.Image->Initialize();
       in.Failed = true;
       if (!quiet)
       {
-        vtkErrorMacro("No layers. " << wrong);
+        vtkErrorMacro("No layers. " << error);
       }
       return;
     }

@@ -230,10 +230,10 @@ std::string vtkPVRelievoLayerMerge::Merge(
   vtkMultiProcessController* controller, const std::vector<std::string>& names, vtkImageData* image)
 {
   Plan plan;
-  const std::string wrong = Agree(controller, image, names, plan);
-  if (!wrong.empty() || plan.Size[0] == 0)
+  const std::string error = Agree(controller, image, names, plan);
+  if (!error.empty() || plan.Size[0] == 0)
   {
-    return wrong;
+    return error;
   }
   const int self = controller->GetLocalProcessId();
   auto complete = [&]() {

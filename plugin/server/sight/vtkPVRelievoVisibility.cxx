@@ -58,11 +58,11 @@ int vtkPVRelievoVisibility::RequestData(
                   "'orthographic:100'");
     return 1; // after 0 the executive adds an error in terms of code
   }
-  const std::string wrong =
+  const std::string error =
     vtkRelievoCameraModel::CheckView(this->Position, this->FocalPoint, this->ViewUp);
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    vtkErrorMacro("Position, Focal Point and View Up: " << wrong);
+    vtkErrorMacro("Position, Focal Point and View Up: " << error);
     return 1;
   }
   vtkNew<vtkCamera> view;

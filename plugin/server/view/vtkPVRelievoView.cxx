@@ -77,10 +77,10 @@ void SetParameter(vtkPVRelievoView* view, const std::string& word, Set set)
   const vtkRelievoParameter* parameter = stage && colon != std::string::npos
     ? stage->GetDescription().Find(word.substr(colon + 1))
     : nullptr;
-  const std::string wrong = parameter ? set(*parameter) : "there is no such parameter here";
-  if (!wrong.empty() && vtkPVRelievoReports())
+  const std::string error = parameter ? set(*parameter) : "there is no such parameter here";
+  if (!error.empty() && vtkPVRelievoReports())
   {
-    vtkWarningWithObjectMacro(view, << word << ": " << wrong << ".");
+    vtkWarningWithObjectMacro(view, << word << ": " << error << ".");
   }
 }
 }

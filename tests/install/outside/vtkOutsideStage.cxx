@@ -83,7 +83,7 @@ void vtkOutsideStage::Execute(vtkRelievoFrameContext& context)
     : nullptr;
   if (!program)
   {
-    this->Explain("failed", this->Quad.GetWrong());
+    this->Explain("failed", this->Quad.GetError());
     return;
   }
   program->SetUniformf("factor", static_cast<float>(this->Factor));

@@ -4,8 +4,8 @@
 // The state of a renderer and its window that drawing for a sensor changes, restored afterwards.
 // Lights that follow the camera stay in place for the sensor's pose: six views must be lit alike.
 // Texts, bars and the window's other renderers are hidden.
-#ifndef vtkRelievoKeptRenderer_h
-#define vtkRelievoKeptRenderer_h
+#ifndef vtkRelievoScopedRenderer_h
+#define vtkRelievoScopedRenderer_h
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
@@ -21,14 +21,14 @@ class vtkProp;
 class vtkRelievoCameraModel;
 class vtkRenderer;
 
-class vtkRelievoKeptRenderer
+class vtkRelievoScopedRenderer
 {
 public:
   // Until it ends the renderer, which fills its window, has a camera of its own with this pose.
-  vtkRelievoKeptRenderer(vtkRenderer* renderer, vtkRelievoCameraModel* sensor);
-  ~vtkRelievoKeptRenderer();
-  vtkRelievoKeptRenderer(const vtkRelievoKeptRenderer&) = delete;
-  void operator=(const vtkRelievoKeptRenderer&) = delete;
+  vtkRelievoScopedRenderer(vtkRenderer* renderer, vtkRelievoCameraModel* sensor);
+  ~vtkRelievoScopedRenderer();
+  vtkRelievoScopedRenderer(const vtkRelievoScopedRenderer&) = delete;
+  void operator=(const vtkRelievoScopedRenderer&) = delete;
 
 private:
   struct Follower

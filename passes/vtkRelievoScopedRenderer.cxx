@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoKeptRenderer.h"
+#include "vtkRelievoScopedRenderer.h"
 
 #include "vtkLightCollection.h"
 #include "vtkProp.h"
@@ -33,7 +33,8 @@ void SetPose(vtkRelievoCameraModel* sensor, vtkCamera* camera)
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoKeptRenderer::vtkRelievoKeptRenderer(vtkRenderer* renderer, vtkRelievoCameraModel* sensor)
+vtkRelievoScopedRenderer::vtkRelievoScopedRenderer(
+  vtkRenderer* renderer, vtkRelievoCameraModel* sensor)
   : Renderer(renderer)
   , Guard(renderer)
   , Attached(vtkRelievoPass::SafeDownCast(renderer->GetPass()) != nullptr)
@@ -55,7 +56,7 @@ vtkRelievoKeptRenderer::vtkRelievoKeptRenderer(vtkRenderer* renderer, vtkRelievo
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoKeptRenderer::~vtkRelievoKeptRenderer()
+vtkRelievoScopedRenderer::~vtkRelievoScopedRenderer()
 {
   for (const Follower& each : this->Followers)
   {
@@ -82,7 +83,7 @@ vtkRelievoKeptRenderer::~vtkRelievoKeptRenderer()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoKeptRenderer::FreezeLights()
+void vtkRelievoScopedRenderer::FreezeLights()
 {
   vtkLightCollection* lights = this->Renderer->GetLights();
   if (lights->GetNumberOfItems() == 0 && this->Renderer->GetAutomaticLightCreation())
@@ -117,7 +118,7 @@ void vtkRelievoKeptRenderer::FreezeLights()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoKeptRenderer::HideOthers()
+void vtkRelievoScopedRenderer::HideOthers()
 {
   vtkCollectionSimpleIterator it;
   this->Renderer->GetViewProps()->InitTraversal(it);
