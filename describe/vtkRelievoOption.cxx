@@ -86,6 +86,42 @@ std::string vtkRelievoEither(const std::vector<std::string>& words)
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoOption& vtkRelievoOption::Is(unsigned traits)
+{
+  this->Traits |= traits;
+  return *this;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoOption& vtkRelievoOption::DropAs(const std::string& value)
+{
+  this->Dropped = value;
+  return this->Is(OF_FILES);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoOption& vtkRelievoOption::RefuseLens(const std::string& reason)
+{
+  this->NotWithLens = reason;
+  return *this;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoOption& vtkRelievoOption::ShowIn(const std::string& panel, const std::string& label)
+{
+  this->Panel = panel;
+  this->Label = label;
+  return *this;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoOption& vtkRelievoOption::NamedIn(const std::string& panel, const std::string& label)
+{
+  this->HasOwnControl = true;
+  return this->ShowIn(panel, label);
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoOption vtkRelievoOption::Of(const vtkRelievoParameter& parameter, const std::string& use)
 {
   using P = vtkRelievoParameter;

@@ -24,6 +24,17 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoOption
   // number", or ""; or throws its command's exceptions.
   std::function<std::string(const std::string& value)> Take;
 
+  // Consequences of an option besides its value.
+  enum Trait : unsigned
+  {
+    READS_FILES = 1,    // a change reads the files again
+    SHAPES_SURFACE = 2, // a change makes the maps of surfaces, volumes and the environment again
+    KEEPS_STYLE = 4,    // a change leaves colours, lights and props as they are
+    OF_FILES = 8,       // describes the files shown: a window drops it with them
+    OF_ONE_VIEW = 16,   // data sets, which have many views, have options of their own for it
+    OF_ALL_VIEWS = 32   // of outputs, and data sets take it too
+  };
+
   bool Repeats = false;
   std::string Missing;    // the message if it is missing; "": optional
   bool OfOutputs = false; // concerns outputs, not the scene
@@ -32,6 +43,26 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoOption
   // Whether it also switches the stage: its words are `off` and the choices of the parameter in
   // Sets.
   bool IsSwitch = false;
+
+  unsigned Traits = 0;
+  std::string Dropped;     // its value in the message of a window that drops it; "": not mentioned
+  std::string NotWithLens; // why a lens cannot take it; "": it can
+
+  // The panel of a window and its label there; "": none. A panel that has no control of its own for
+  // the option adds one.
+  std::string Panel, Label;
+  bool HasOwnControl = false;
+
+  bool Has(Trait trait) const { return (this->Traits & trait) != 0; }
+
+  ///@{
+  // For a row: each returns the option.
+  vtkRelievoOption& Is(unsigned traits);
+  vtkRelievoOption& DropAs(const std::string& value);
+  vtkRelievoOption& RefuseLens(const std::string& reason);
+  vtkRelievoOption& ShowIn(const std::string& panel, const std::string& label);  // adds a control
+  vtkRelievoOption& NamedIn(const std::string& panel, const std::string& label); // has a control
+  ///@}
 
   // The option and the value that it implies: "--shadows", "map"; empty: none.
   std::vector<std::string> Implies;

@@ -59,23 +59,17 @@ std::vector<vtkSmartPointer<vtkProp>> GetProps(vtkRenderer* renderer)
   return props;
 }
 
-constexpr const char* Reading[] = { "--allow-folder", "--time", "--times", "--animation", "--blend",
-  "--loop", "--image", "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map",
-  "--texture-coordinates", "--up" };
-constexpr const char* SurfaceMaps[] = { "--normal-map", "--height-map", "--relief", "--material",
-  "--texture-coordinates", "--opacity", "--opacity-curve", "--volume-step", "--environment",
-  "--reflectivity", "--skybox", "--up" };
-constexpr const char* NotStyle[] = { "--camera", "--clip", "--size", "--shadows" };
-
-template <typename Names>
-std::string MakeKey(const Settings& settings, const Names& names)
+// The values of the options that `counts` selects.
+template <typename Counts>
+std::string MakeKey(const Settings& settings, const Counts& counts)
 {
   std::string key;
-  for (const char* name : names)
+  for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
-    for (const std::string& value : settings.GetAll(name))
+    for (const std::string& value :
+      counts(option) ? settings.GetAll(option.Name) : std::vector<std::string>())
     {
-      key += std::string(name) + '\n' + value + '\n';
+      key += option.Name + '\n' + value + '\n';
     }
   }
   return key;
@@ -84,23 +78,17 @@ std::string MakeKey(const Settings& settings, const Names& names)
 std::string MakeSurfaceKey(const Settings& settings, const RenderOptions& options)
 {
   const bool shadowed = !options.Surface.HeightMap.empty() && ShowsShadows(options);
-  return MakeKey(settings, SurfaceMaps) + (shadowed ? "in its own shadow" : "") +
+  const auto shapes = [](const vtkRelievoOption& option) {
+    return option.Has(vtkRelievoOption::SHAPES_SURFACE);
+  };
+  return MakeKey(settings, shapes) + (shadowed ? "in its own shadow" : "") +
     (options.Surface.FindsIntensity ? "of its own intensity" : "");
 }
 
-// The key of all options except those of the camera and of the shadow method.
 std::string MakeStyleKey(const Settings& settings)
 {
-  std::vector<const char*> names;
-  for (const vtkRelievoOption& option : GetRenderCommand().Options)
-  {
-    const auto is = [&option](const char* name) { return option.Name == name; };
-    if (std::none_of(std::begin(NotStyle), std::end(NotStyle), is))
-    {
-      names.push_back(option.Name.c_str());
-    }
-  }
-  return MakeKey(settings, names);
+  return MakeKey(settings,
+    [](const vtkRelievoOption& option) { return !option.Has(vtkRelievoOption::KEEPS_STYLE); });
 }
 
 RenderOptions WithCamera(RenderOptions options, vtkCamera* camera)
@@ -119,7 +107,8 @@ RenderOptions WithCamera(RenderOptions options, vtkCamera* camera)
 //------------------------------------------------------------------------------
 std::string GetSceneKey(const Settings& settings)
 {
-  std::string key = MakeKey(settings, Reading);
+  std::string key = MakeKey(settings,
+    [](const vtkRelievoOption& option) { return option.Has(vtkRelievoOption::READS_FILES); });
   key += settings.Get("--shading") == "flat" ? "flat\n" : "";
   for (const std::string& file : settings.Files)
   {
@@ -134,8 +123,8 @@ std::string GetReadingKey(const Settings& settings)
   std::string key = GetSceneKey(settings);
   for (const PointStage& stage : GetPointStages())
   {
-    const std::string option = "--" + stage.Name;
-    key += MakeKey(settings, std::vector<const char*>{ option.c_str() });
+    key += MakeKey(settings,
+      [&stage](const vtkRelievoOption& option) { return option.Name == "--" + stage.Name; });
   }
   return key;
 }

@@ -40,6 +40,25 @@ def options_of(verb):
     return dict(zip(found[::2], found[1::2]))
 
 
+def rows_after(text):
+    """The next table's rows, by the option in the first cell."""
+    table = re.search(r"^\|---.*\n((?:\|.*\n)+)", text, re.M).group(1)
+    return {re.search(r"--?[a-z][a-z-]*", row).group(): row for row in table.splitlines()}
+
+
+def tables_of_render():
+    """The page's options of outputs, and those of the scene."""
+    text = (DOCS / "command-line.md").read_text(encoding="utf-8").split("## Options")[1]
+    outputs, scene = text.split("\nOptions of the scene and its look:\n")
+    return rows_after(outputs), rows_after(scene)
+
+
+def not_of_datasets():
+    """Options of the scene that data sets do not take, as their page lists them."""
+    page = (DOCS / "datasets.md").read_text(encoding="utf-8").split("## Options")[1]
+    return set(re.findall(r"`(--[a-z-]+)`", re.search(r"except\s([^.]*)", page).group(1)))
+
+
 def complete(*words, known=WORDS, program=RELIEVO):
     """Bash's completions of the last word; `known` are the words requested by the completion
     before, so that these tests do not start the command each time."""
@@ -68,22 +87,15 @@ class Completion(unittest.TestCase):
         for verb in VERBS:
             offered = complete(verb, "-", known="")
             known = set(options_of(verb))
-            if verb == "dataset":  # of a scene of render, but poses and files of its own
-                known |= set(options_of("render")) - {
-                    "--camera", "--parallel-scale", "--clip", "--times", "--png", "--exr",
-                    "--baseline", "--gltf", "--portable", "--report", "--hdr", "--transparent",
-                    "--certify", "--figure", "--turntable", "--camera-path", "--video", "--fps",
-                    "--resume"}  # fmt: skip
+            if verb == "dataset":  # with options of render
+                known |= set(tables_of_render()[1]) - not_of_datasets() | {"--lens"}
             self.assertEqual(sorted(offered), sorted(known))
 
     def test_the_viewer_takes_the_words_of_render(self):
         viewer = RELIEVO + "-viewer"
         offered = complete("-", known="", program=viewer)  # asks the command beside it
-        outputs = {"--png", "--exr", "--baseline", "--gltf", "--portable", "--report", "--layers",
-                   "--hdr", "--lens", "--transparent", "--certify", "--turntable", "--camera-path",
-                   "--video", "--fps", "--resume", "--part"}  # fmt: skip
         own = {"--once", "--help", "--version"}
-        self.assertEqual(set(offered), set(options_of("render")) - outputs | own)
+        self.assertEqual(set(offered), set(tables_of_render()[1]) | own)
         self.assertEqual(
             complete("a.off", "--preset", "", program=viewer),
             complete("render", "a.off", "--preset", ""),
@@ -147,7 +159,6 @@ class Pages(unittest.TestCase):
         """Each command's table has its options, and no others; bench's are in the text."""
         page = (DOCS / "command-line.md").read_text(encoding="utf-8")
         for verb, text in (
-            ("render", page.split("## Options")[1]),
             ("visible", page.split("| option of `visible` |")[1]),
             ("sun", page.split("| option of `sun` |")[1]),
             ("cover", page.split("| option of `cover` |")[1]),
@@ -162,6 +173,24 @@ class Pages(unittest.TestCase):
             firsts = [cell[verb == "cave"] for cell in cells]
             said = re.findall(r"`(--?[a-z][a-z-]*)[ `\[]", "\n".join(firsts))
             self.assertLessEqual(set(said), set(options_of(verb)), verb)
+
+    def test_rows_of_render(self):
+        """Each row of the page has the option's form, its bounds and its choices, as the help."""
+        outputs, scene = tables_of_render()
+        self.assertFalse(set(outputs) & set(scene))
+        rows = {**outputs, **scene}
+        self.assertEqual(set(rows), set(options_of("render")))
+        words = dict(re.findall(r"^render (--\S+) \S+ ?(.*)$", WORDS, re.M))
+        for option, text in options_of("render").items():
+            row = rows[option].replace("−", "-").replace("\\|", "|")
+            form = re.match(r"(?: (\S+))?(?:  |\n|$)", text).group(1)
+            said = f"`{option} {form}`" if form else f"`{option}`"
+            with self.subTest(option):
+                self.assertTrue(row.startswith(f"| {said} |"), row)
+                for bounds in re.findall(r"-?[\d.]+ to -?[\d.]+\d", " ".join(text.split())):
+                    self.assertIn(bounds, row)
+                if option not in ("--lens", "--light"):  # which have tables of their own
+                    self.assertEqual([w for w in words[option].split() if w not in row], [])
 
     def test_files(self):
         """Input formats, in the table and in the texts."""

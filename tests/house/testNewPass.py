@@ -7,9 +7,9 @@ and is left to the night, the copy is built, the new pass's own test runs, and t
 the command line, Python and ParaView, whose sources are as they were. So is a layer that one entry
 adds to the catalogue (newLayer.py), and values that their class and its page have, of fog
 (newValue.py) and of materials (newSurfaceValue.py), a setting of a filter and an option of a
-command (newSetting.py), a format of data sets (newFormat.py), formats of files (newFileFormat.py)
-and a sensor in words (newLens.py). The tests that compare pages with the code pass with all of
-them.
+command (newSetting.py), options of render (newOption.py), a format of data sets (newFormat.py),
+formats of files (newFileFormat.py) and a sensor in words (newLens.py). The tests that compare pages
+with the code pass with all of them.
 """
 
 import filecmp
@@ -24,6 +24,7 @@ import newFileFormat
 import newFormat
 import newLayer
 import newLens
+import newOption
 import newSetting
 import newSurfaceValue
 import newValue
@@ -106,6 +107,7 @@ def main(source, cmake=None, ctest=None, *options):
 
     newLayer.add(tree)
     newSetting.add(tree)
+    newOption.add(tree)
     newFormat.add(tree)
     newFileFormat.add(tree)
     newLens.add(tree)
@@ -132,6 +134,7 @@ def main(source, cmake=None, ctest=None, *options):
     on_the_command_line(build)
     newLayer.on_the_command_line(run, build, folder)
     newSetting.on_the_command_line(run, build, folder)
+    newOption.on_the_command_line(run, build, folder)
     newFormat.on_the_command_line(run, build, folder)
     newFileFormat.on_the_command_line(run, build, folder)
     newLens.on_the_command_line(run, build, folder)
@@ -142,12 +145,14 @@ def main(source, cmake=None, ctest=None, *options):
     in_python(build, python)
     newLayer.in_python(run, build, python, folder)
     newSetting.in_python(run, build, python, folder)
+    newOption.in_python(run, build, python, folder)
     newFormat.in_python(run, build, python, folder)
     newFileFormat.in_python(run, build, python, folder)
     newLens.in_python(run, build, python, folder)
     newValue.in_python(run, build, python, folder)
     newSurfaceValue.in_python(run, build, python, folder)
     if viewer:
+        newOption.in_the_viewer(run, build, python)
         newSurfaceValue.in_the_viewer(run, build, python)
     if paraview:
         in_paraview(build)

@@ -6,6 +6,7 @@
 #include "ViewerTest.h"
 
 #include "LayersPanel.h"
+#include "OptionEdits.h"
 #include "Options.h"
 #include "Probe.h"
 #include "ReportPanel.h"
@@ -24,9 +25,12 @@
 #include "vtkXMLPolyDataWriter.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QSlider>
 #include <QToolBar>
@@ -42,6 +46,68 @@ class TestViewerControls : public viewerTest::ViewerTest
   Q_OBJECT
 
 private Q_SLOTS:
+  // The control that a panel adds for an option without one of its own, for every option.
+  void controlsOfOptions()
+  {
+    viewer::Document document;
+    int flags = 0, choices = 0, lines = 0;
+    for (const vtkRelievoOption& option : scene::GetRenderCommand().Options)
+    {
+      const char* const name = option.Name.c_str();
+      QWidget form;
+      auto* rows = new QFormLayout(&form);
+      viewer::AddOption(&document, rows, option);
+      if (auto* box = form.findChild<QCheckBox*>())
+      {
+        ++flags;
+        QVERIFY2(option.IsFlag() && !box->isChecked(), name);
+        box->setChecked(true);
+        QVERIFY2(document.Get().Has(name) == box->isChecked(), name); // or refused
+      }
+      else if (auto* words = form.findChild<QComboBox*>())
+      {
+        ++choices;
+        QVERIFY2(words->count() == static_cast<int>(option.Words.size()) + 1, name);
+        QVERIFY2(words->currentData().toString().isEmpty(), name);
+        words->setCurrentIndex(1);
+        QVERIFY2(words->currentData().toString().toStdString() == document.Get().Get(name), name);
+      }
+      else
+      {
+        ++lines;
+        auto* line = form.findChild<QLineEdit*>();
+        QVERIFY2(line && line->placeholderText() == QString::fromStdString(option.Form), name);
+        QVERIFY2(line->toolTip() == QString::fromStdString(option.Help), name);
+      }
+      document.Change([](scene::Settings& settings) { settings = scene::Settings(); });
+    }
+    QVERIFY(flags > 5 && choices > 10 && lines > 10);
+    QWidget form;
+    auto* rows = new QFormLayout(&form);
+    viewer::AddOption(&document, rows, *scene::GetRenderCommand().Find("--opacity"));
+    viewer::AddOption(&document, rows, *scene::GetRenderCommand().Find("--shading"));
+    viewer::AddOption(&document, rows, *scene::GetRenderCommand().Find("--edges"));
+    auto* line = form.findChild<QLineEdit*>("opacity");
+    const auto type = [line](const char* text) {
+      line->setText(text);
+      Q_EMIT line->editingFinished();
+    };
+    type("0.5");
+    QCOMPARE(document.Get().Get("--opacity"), std::string("0.5"));
+    type("7"); // refused
+    QCOMPARE(line->text(), QString("0.5"));
+    type("");
+    QVERIFY(!document.Get().Has("--opacity"));
+    auto* shading = form.findChild<QComboBox*>("shading");
+    shading->setCurrentText("phong");
+    QCOMPARE(document.Get().Get("--shading"), std::string("phong"));
+    auto* edges = form.findChild<QCheckBox*>("edges");
+    edges->setChecked(true);
+    QVERIFY(document.Get().Has("--edges"));
+    document.Change([](scene::Settings& settings) { settings = scene::Settings(); });
+    QVERIFY(!edges->isChecked() && shading->currentData().toString().isEmpty());
+  }
+
   void timeSlider()
   {
     const std::string models = qgetenv("RELIEVO_DATA").toStdString() + "/models/glTF2/";

@@ -36,7 +36,7 @@ namespace
 {
 // Values of options not covered by other tests: switches are in testViewerPictures, models in
 // testViewerPythonFiles. Words needed by others come first.
-const std::vector<QStringList> Rows = {
+const std::vector<QStringList> Given = {
   { "--allow-folder", "/" },
   { "--clip", "0.5,40" },
   { "--view-angle", "47" },
@@ -78,13 +78,28 @@ const std::vector<QStringList> Rows = {
 const std::set<std::string> Elsewhere = { "--size", "--camera", "--parallel-scale", "--color",
   "--opacity", "--edges", "--time", "--times", "--animation", "--blend", "--loop", "--skeleton",
   "--bone-weight", "--skin", "--normal-map", "--environment", "--reflectivity", "--skybox", "--fog",
-  "--image", "--opacity-curve", "--volume-step", "--volume-shadows", "--point-size" };
+  "--figure", "--image", "--opacity-curve", "--volume-step", "--volume-shadows", "--point-size" };
 
-// Said as parameters of stages, or no part of a picture.
-const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--shadow-tolerance",
-  "--time-budget", "--stage", "--ambient", "--deferred", "--tone", "--exposure", "--certify",
-  "--layers", "--hdr", "--lens", "--png", "--exr", "--baseline", "--gltf", "--portable", "--report",
-  "--transparent", "--figure", "--turntable", "--camera-path", "--video", "--fps", "--resume" };
+// Rows for an option that no test above has: from its description, if this gives values.
+std::vector<QStringList> MakeRows(const vtkRelievoOption& option)
+{
+  const QString name = QString::fromStdString(option.Name);
+  if (option.IsFlag())
+  {
+    return { { name } };
+  }
+  std::vector<QStringList> rows;
+  for (const std::string& word : option.Words)
+  {
+    rows.push_back({ name, QString::fromStdString(word) });
+  }
+  const vtkRelievoOption::Bounds& range = option.Range;
+  if (range.Least != range.Most)
+  {
+    rows.push_back({ name, QString::number(range.Least + (range.Most - range.Least) / 4.0) });
+  }
+  return rows;
+}
 
 // The result follows from measured times.
 const std::string Measured = "time_budget";
@@ -135,6 +150,8 @@ class TestViewerEvery : public viewerTest::ViewerTest
   Q_OBJECT
 
 private:
+  std::vector<QStringList> Rows = Given;
+
   void CompareAll(const std::string& what)
   {
     QCOMPARE(this->Window->GetTrouble(), QString());
@@ -182,12 +199,12 @@ private:
   }
 
 private Q_SLOTS:
-  // A new option gets a row in this test, or is named with those that others have.
-  void knowsAllOptions()
+  // Outputs are no part of a picture, and parameters of stages have tests below. Other options have
+  // a row here, are in other tests, or describe their values.
+  void initTestCase()
   {
     std::set<std::string> covered = Elsewhere;
-    covered.insert(OfStages.begin(), OfStages.end());
-    for (const QStringList& row : Rows)
+    for (const QStringList& row : this->Rows)
     {
       for (const QString& word : row)
       {
@@ -196,7 +213,13 @@ private Q_SLOTS:
     }
     for (const vtkRelievoOption& option : scene::GetRenderCommand().Options)
     {
-      QVERIFY2(covered.count(option.Name) != 0, option.Name.c_str());
+      const bool isOfStage = !option.Sets.empty() && !option.IsSwitch;
+      if (covered.count(option.Name) == 0 && !option.OfOutputs && !isOfStage)
+      {
+        const std::vector<QStringList> rows = MakeRows(option);
+        QVERIFY2(!rows.empty(), option.Name.c_str());
+        this->Rows.insert(this->Rows.end(), rows.begin(), rows.end());
+      }
     }
   }
 
@@ -208,7 +231,7 @@ private Q_SLOTS:
     const QString points = QString::fromStdString(this->WritePoints());
     const QString image = QString::fromStdString(this->WriteImage());
     this->Open(files);
-    for (const QStringList& row : Rows)
+    for (const QStringList& row : this->Rows)
     {
       std::vector<std::string> own = files;
       if (row.contains("--shadows"))

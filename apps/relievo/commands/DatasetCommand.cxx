@@ -27,18 +27,13 @@ namespace cli
 {
 namespace
 {
-// Options of render that a data set replaces; its outputs are replaced too, except for `Shared`.
-constexpr const char* Replaced[] = { "--camera", "--parallel-scale", "--clip", "--times",
-  "--figure" };
-constexpr const char* Shared[] = { "--layers", "--lens" };
-
+// Whether it is an option of render that data sets refuse: of outputs, or of one view.
 bool IsOfRender(const std::string& name)
 {
-  const auto isIn = [&name](const auto& list) {
-    return std::find(std::begin(list), std::end(list), name) != std::end(list);
-  };
   const vtkRelievoOption* option = scene::GetRenderCommand().Find(name);
-  return option && (option->OfOutputs ? !isIn(Shared) : isIn(Replaced));
+  return option &&
+    (option->OfOutputs ? !option->Has(vtkRelievoOption::OF_ALL_VIEWS)
+                       : option->Has(vtkRelievoOption::OF_ONE_VIEW));
 }
 
 // Kinds of objects.

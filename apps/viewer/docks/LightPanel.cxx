@@ -39,6 +39,7 @@ LightPanel::LightPanel(Document* document, QWidget* parent)
   {
     this->AddGroup(stage);
   }
+  this->AddOptions("Light");
   QObject::connect(document, &Document::changed, this, [this] { this->ShowSettings(); });
   this->ShowSettings();
 }

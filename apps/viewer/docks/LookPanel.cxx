@@ -44,6 +44,7 @@ LookPanel::LookPanel(Document* document, ColorsGroup::RangeReader range,
   this->AddGroup(new MaterialGroup(document, this->widget()));
   this->AddBackground();
   this->AddStages();
+  this->AddOptions("Look");
   QObject::connect(document, &Document::changed, this, [this] { this->ShowSettings(); });
   this->ShowSettings();
 }

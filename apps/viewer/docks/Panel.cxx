@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panel.h"
 
+#include "OptionEdits.h"
+#include "Options.h"
+
 #include <QVBoxLayout>
 
 namespace viewer
@@ -46,6 +49,20 @@ FoldGroup* Panel::AddGroup(const QString& title, const QString& name)
 void Panel::AddGroup(FoldGroup* group)
 {
   this->Column->addWidget(group);
+}
+
+//------------------------------------------------------------------------------
+void Panel::AddOptions(const std::string& panel)
+{
+  FoldGroup* group = nullptr;
+  for (const vtkRelievoOption& option : scene::GetRenderCommand().Options)
+  {
+    if (option.Panel == panel && !option.HasOwnControl)
+    {
+      group = group ? group : this->AddGroup("More", "more" + QString::fromStdString(panel));
+      AddOption(this->Edited, group->GetRows(), option);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -30,6 +30,8 @@ protected:
   /// Adds a group of rows below the others, or an existing group.
   FoldGroup* AddGroup(const QString& title, const QString& name);
   void AddGroup(FoldGroup* group);
+  /// Adds a last group, of the options of this panel that have no control of their own, if any.
+  void AddOptions(const std::string& panel);
   /// Gives one group the remaining space.
   void Fill(QGroupBox* group);
   static QFormLayout* GetRows(QGroupBox* group);

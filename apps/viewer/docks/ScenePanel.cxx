@@ -112,6 +112,7 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   this->AddCamera();
   this->Path = new PathGroup(this->widget());
   this->AddGroup(this->Path);
+  this->AddOptions("Scene");
   QObject::connect(document, &Document::changed, this, &ScenePanel::ShowSettings);
   QObject::connect(document, &Document::factsChanged, this, &ScenePanel::ShowFiles);
   this->ShowSettings();

@@ -9,10 +9,43 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QLineEdit>
 #include <QSignalBlocker>
 
 namespace viewer
 {
+namespace
+{
+// Shows the option, now and after each change, while its control exists.
+template <typename Show>
+void Follow(Document* document, QWidget* control, const Show& show)
+{
+  show();
+  QObject::connect(document, &Document::changed, control, show);
+}
+
+void AddText(Document* document, QFormLayout* rows, const vtkRelievoOption& option)
+{
+  const char* const name = option.Name.c_str();
+  auto* line = new QLineEdit(rows->parentWidget());
+  line->setObjectName(QString(name).remove('-'));
+  line->setPlaceholderText(QString::fromStdString(option.Form));
+  rows->addRow(QString::fromStdString(option.Label), line);
+  const auto show = [document, line, name] {
+    line->setText(QString::fromStdString(document->Get().Get(name)));
+  };
+  Follow(document, line, show);
+  QObject::connect(line, &QLineEdit::editingFinished, document, [document, line, name, show] {
+    const std::string text = line->text().toStdString();
+    if (text != document->Get().Get(name))
+    {
+      document->Change([&](scene::Settings& settings) { SetOption(settings, name, text); });
+      show(); // a refused text is replaced
+    }
+  });
+}
+}
+
 //------------------------------------------------------------------------------
 void SetOption(scene::Settings& settings, const char* option, const std::string& value)
 {
@@ -68,6 +101,35 @@ QCheckBox* MakeFlag(Document* document, const char* option, QWidget* parent)
       [&](scene::Settings& settings) { on ? settings.Set(option, "") : settings.Remove(option); });
   });
   return box;
+}
+
+//------------------------------------------------------------------------------
+void AddOption(Document* document, QFormLayout* rows, const vtkRelievoOption& option)
+{
+  const char* const name = option.Name.c_str();
+  if (option.IsFlag())
+  {
+    QCheckBox* box = MakeFlag(document, name, rows->parentWidget());
+    rows->addRow(box);
+    const auto show = [=] { ShowFlag(box, document->Get(), name); };
+    Follow(document, box, show);
+    QObject::connect(box, &QCheckBox::toggled, box, show); // the edit may have had no effect
+  }
+  else if (!option.Words.empty())
+  {
+    QComboBox* box = AddChoice(document, rows, name, "default", "");
+    const auto show = [=] { ShowChoice(box, document->Get(), name); };
+    Follow(document, box, show);
+    QObject::connect(
+      box, static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), box, show);
+  }
+  else
+  {
+    AddText(document, rows, option);
+  }
+  rows->parentWidget()
+    ->findChild<QWidget*>(QString(name).remove('-'))
+    ->setToolTip(QString::fromStdString(option.Help));
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@ class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QWidget;
+struct vtkRelievoOption;
 
 namespace relievoQt
 {
@@ -38,6 +39,10 @@ void ShowFlag(QCheckBox* box, const scene::Settings& settings, const char* optio
 
 /// A number within the option's bounds; if these are excluded, from a step above to a step below.
 relievoQt::Number* MakeNumber(const char* option, double step, int decimals, QWidget* parent);
+
+/// A row with a control for any option, made from its description, which follows the document: a
+/// check box, a choice among its words, or a line of text.
+void AddOption(Document* document, QFormLayout* rows, const vtkRelievoOption& option);
 
 /// The option's value, or none.
 void SetOption(scene::Settings& settings, const char* option, const std::string& value);

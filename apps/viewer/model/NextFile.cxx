@@ -4,7 +4,6 @@
 
 #include "Colormaps.h"
 #include "LightOptions.h"
-#include "ModelOptions.h"
 #include "Options.h"
 #include "PointOptions.h"
 #include "Presets.h"
@@ -18,18 +17,6 @@ namespace viewer
 {
 namespace
 {
-struct Dropped
-{
-  const char* Option;
-  const char* Words; // empty: not mentioned
-};
-
-constexpr Dropped OfFiles[] = { { "--allow-folder", "" }, { "--color-by", "" }, { "--range", "" },
-  { "--scalar-bar", "" }, { "--bar", "" }, { "--clip", "the clipping distances" },
-  { "--up", "the up axis" }, { "--image", "how the image is shown" },
-  { "--opacity-curve", "the opacity curve" }, { "--normal-map", "the normal map" },
-  { "--height-map", "the height map" }, { "--relief", "" }, { "--texture-coordinates", "" } };
-
 // Suns suit any scene.
 int DropPlacedLights(scene::Settings& settings)
 {
@@ -68,21 +55,20 @@ QString DropFiles(scene::Settings& settings)
       settings.AskStage(stage.Name, false);
     }
   }
-  for (const Dropped& word : OfFiles)
+  for (const vtkRelievoOption& option : scene::GetRenderCommand().Options)
   {
-    if (settings.Has(word.Option) && *word.Words)
+    if (option.Has(vtkRelievoOption::OF_FILES))
     {
-      dropped += word.Words;
+      if (settings.Has(option.Name) && !option.Dropped.empty())
+      {
+        dropped += QString::fromStdString(option.Dropped);
+      }
+      settings.Remove(option.Name);
     }
-    settings.Remove(word.Option);
   }
   if (settings.Has("--colormap") && look::Colormap::Parse(settings.Get("--colormap")).Log)
   {
     settings.Remove("--colormap");
-  }
-  for (const std::string& word : reading::GetModelOptions())
-  {
-    settings.Remove(word);
   }
   if (!settings.GetParameter("display", "layer").empty())
   {
