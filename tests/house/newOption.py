@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """New options of `relievo render`: one that sets a parameter of a stage takes a row in Options.cxx
 and one in the page, another also a member and its use. After that the parser, the help, the
-completion, the manual page, Python, the viewer and its copied programs have them, and data sets take
-them. For testNewPass.py, which builds the tree anyway.
+completion, the manual page, Python, the viewer and its copied programs have them, and data sets
+take them. For testNewPass.py, which builds the tree anyway.
 """
 
 import os
@@ -90,8 +90,8 @@ def in_python(run, build, python, folder):
 
 
 def in_the_viewer(run, build, python):
-    """The viewer's own tests draw it as the command and the copied program do, and find its label in
-    the panel that the messages name."""
+    """The viewer's own tests draw it as the command and the copied program do, and find its label
+    in the panel that the messages name."""
     path = os.pathsep.join([str(build / "python"), os.environ["PYTHONPATH"]])
     viewer = build / "tests" / "bin" / "relievo_tests_viewer"
     words = {**os.environ, "PYTHONPATH": path, "PYTHON": python,
