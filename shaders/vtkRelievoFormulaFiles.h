@@ -57,3 +57,5 @@
 #include "formulas/geometry/cube.glsl"
 
 #include "formulas/geometry/skin.glsl"
+
+#include "formulas/light/sky_grid.glsl"
