@@ -7,7 +7,9 @@
 
 RELIEVO is the command. Whole commands draw scenes that this script makes, larger and larger, to a
 PNG: the command with --preset none and studio, its default, and bench/peers.py with F3D and with
-VTK, in the first that has them of --f3d or --vtk, this Python, python3 and pvpython. Processor time
+VTK, in the first that has them of --f3d or --vtk, this Python, python3 and pvpython. Two series are
+of other commands: relievo visible on one mesh, and relievo dataset, with a growing number of
+cameras; a third writes OpenEXR. Processor time
 is that of all threads and processes, the least of the rounds: the first compiles shaders that Mesa
 keeps. Memory is the most that all processes hold at a time, of the first round. Both are given
 whole, and less those of the first row, whose scene is next to nothing: an empty start. An exponent
@@ -25,6 +27,7 @@ import json
 import math
 import os
 import pathlib
+import shutil
 import struct
 import subprocess
 import sys
@@ -35,8 +38,10 @@ import numpy
 from processes import PEERS, parser, run
 
 BODY, PIECE = 100000, 200  # triangles of lit bodies, and of each block and object
+OBJECTS = 20  # of data sets
 DECADE = 12  # sizes are rounded
 NOISE = 0.1  # of an empty start
+OUTPUTS = {".png": "--png", ".exr": "--exr", ".vtp": "-o", "": "--out"}  # options, by suffix
 MODULES = {"f3d": "f3d", "vtk": "vtkmodules.vtkRenderingOpenGL2"}
 COLUMNS = ("series", "method", "size", "processor seconds", "seconds more", "exponent", "MiB",
            "MiB more", "MiB exponent", "rounds", "load")  # fmt: skip
@@ -65,8 +70,9 @@ def torus(triangles, center=(0, 0, 0), radius=1.0):
 
 
 def write_ply(file, points, cells):
-    faces = numpy.empty(len(cells), [("count", "u1"), ("points", "<i4", 3)])
-    faces["count"], faces["points"] = 3, cells
+    corners = cells.shape[1]
+    faces = numpy.empty(len(cells), [("count", "u1"), ("points", "<i4", corners)])
+    faces["count"], faces["points"] = corners, cells
     with open(file, "wb") as out:
         out.write(f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\n"
                   "property float x\nproperty float y\nproperty float z\n"
@@ -120,6 +126,8 @@ class Case:
 
     file: pathlib.Path
     size: int  # the actual size
+    command: str = "render"
+    result: str = "picture.png"  # a file, or the folder of a data set
     window: str = ""  # if other than --size
     relievo: tuple = ()  # options
     peers: tuple = ("f3d", "vtk")
@@ -209,6 +217,45 @@ def pictures(folder, size):
     return body(folder, side * side, window=f"{side}x{side}")
 
 
+def exr(folder, size):
+    case = pictures(folder, size)
+    return dataclasses.replace(case, result="picture.exr", peers=())
+
+
+def quads(folder, size):
+    """A torus of quads, in a small picture."""
+    points, cells = torus(2 * size)
+    corners = numpy.hstack([cells[::2], cells[1::2, 2:]])  # of the two triangles of each quad
+    write_ply(folder / "quads.ply", points, corners)
+    return Case(folder / "quads.ply", len(corners), window="240x180")
+
+
+def sights(folder, size):
+    points, cells = torus(size)
+    write_ply(folder / "mesh.ply", points, cells)
+    return seen(folder / "mesh.ply", len(cells), 10)
+
+
+def cameras(folder, size):
+    return seen(body(folder, size).file, size, size)
+
+
+def seen(file, size, count):
+    """A mesh, and what so many cameras see of it."""
+    return Case(file, size, "visible", "cells.vtp", window="320x240",
+                relievo=("--poses", f"orbit:{count}"), peers=())  # fmt: skip
+
+
+def views(folder, size):
+    files = []
+    for number, place in enumerate(grid(OBJECTS)[0]):
+        files.append(folder / f"{number}.ply")
+        write_ply(files[-1], *torus(BODY // 50, place, grid(OBJECTS)[1]))
+    first, *others = map(str, files)
+    return Case(pathlib.Path(first), size, "dataset", "views",
+                relievo=(*others, "--poses", f"orbit:{size}"), peers=())  # fmt: skip
+
+
 def lights(folder, size):
     words = []
     for number in range(size):
@@ -246,6 +293,13 @@ SERIES = {
     "pictures": Series("pixels of the picture", pictures, 256,
                        (256**2, 512**2, 1024**2, 2048**2, 4096**2), (1024**2, 2048**2),
                        (8192**2, 16384**2)),
+    "exr": Series("pixels of an OpenEXR file", exr, 256, (1024**2, 2048**2, 4096**2),
+                  (512**2, 1024**2), (8192**2, 16384**2)),
+    "quads": Series("quads in 240x180 pixels", quads, 18, (4800, 48_000), (4800, 48_000)),
+    "sights": Series("triangles that ten cameras see", sights, 36, (100_000, 300_000, 1_000_000),
+                     (10_000, 30_000), (3_000_000,)),
+    "cameras": Series("cameras that see a mesh", cameras, 1, (10, 30, 100), (3, 10)),
+    "views": Series("views of a data set", views, 1, (3, 10, 30), (2, 4)),
     "lights": Series("lights", lights, 1, (3, 10, 30, 100), (3, 10)),
     "lamps": Series("lamps", lamps, 1, (10, 100, 1000, 10_000), (100, 1000)),
 }  # fmt: skip
@@ -266,11 +320,14 @@ def finds(module, first):
 def commands(given, pythons, case, picture):
     """The commands that draw a case, by method."""
     found, window = {}, case.window or given.size
+    drawn = case.command != "visible"
+    option = OUTPUTS[pathlib.Path(picture).suffix]
     for build, end in ((given.relievo, ""), (given.against, ", the other build")):
-        for preset in given.presets.split(",") if build else ():
-            found[f"Relievo, {preset}{end}"] = [
-                build, "render", str(case.file), "--preset", preset, "--size", window,
-                *case.relievo, "--png", picture]  # fmt: skip
+        for preset in (given.presets.split(",") if drawn else [""]) if build else ():
+            look = ("--preset", preset) if drawn else ()
+            found[f"Relievo{', ' * drawn}{preset}{end}"] = [
+                build, case.command, str(case.file), *look, "--size", window, *case.relievo,
+                option, picture]  # fmt: skip
     names = {"f3d": "F3D", "vtk": "VTK", "vtk normals": "VTK, normals"}
     for peer in case.peers:
         kind, *normals = peer.split()
@@ -281,12 +338,23 @@ def commands(given, pythons, case, picture):
     return found
 
 
-def cost(words, given):
+def cost(words, result, given):
     """Minimum processor seconds, peak memory, and the number of measurements."""
-    first = run(words, peak=True)
+
+    def once(**options):
+        shutil.rmtree(result, ignore_errors=True)  # a data set would be continued
+        return run(words, **options)
+
+    first = once(peak=True)
     rounds = given.rounds if 2 * first.processor < given.longest else 1
-    more = [run(words) for _ in range(rounds - 1)]
+    more = [once() for _ in range(rounds - 1)]
     return min(each.processor for each in (first, *more)), first.peak / 2**20, rounds
+
+
+def contents(result):
+    """All that a command has written: a file or a folder."""
+    files = sorted(result.rglob("*")) if result.is_dir() else [result]
+    return [file.read_bytes() for file in files if file.is_file()]
 
 
 def exponent(sizes, costs, start):
@@ -304,16 +372,16 @@ def measure(given, series, pythons):
     for wanted in (series.start, *sizes):
         with tempfile.TemporaryDirectory() as folder:
             case = series.make(pathlib.Path(folder), wanted)
-            picture = pathlib.Path(folder, "picture.png")
-            for method, words in commands(given, pythons, case, str(picture)).items():
+            result = pathlib.Path(folder, case.result)
+            for method, words in commands(given, pythons, case, str(result)).items():
                 past = done.setdefault(method, [])
                 if past and past[-1][1] > given.longest:
                     continue
-                seconds, peak, rounds = cost(words, given)
-                if past and picture.read_bytes() == empty[method]:
+                seconds, peak, rounds = cost(words, result, given)
+                if past and contents(result) == empty[method]:
                     raise SystemExit(f"scale: {method} draws {case.size} {series.of} as it draws "
                                      f"{series.start}: nothing?")  # fmt: skip
-                empty.setdefault(method, picture.read_bytes())
+                empty.setdefault(method, contents(result))
                 past.append((case.size, seconds, peak))
                 yield row(series.of, method, past, rounds)
 
