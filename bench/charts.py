@@ -268,7 +268,7 @@ def scale(rows):
          Axis("peak MiB", True, (50, 100, 300, 1000, 3000))),
     ):  # fmt: skip
         yield Chart(
-            stem, title, "Whole commands to a PNG, software OpenGL. Lower and flatter is better. "
+            stem, title, "Whole commands, software OpenGL. Lower and flatter is better. "
             "Ring: the default preset. Grey: others.",
             Axis("count", True), unit,
             panels(shown, "size", column, panel="series",

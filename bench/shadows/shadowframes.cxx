@@ -2,23 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Cost of shadows per frame: ratios to the plain frame and to vtkShadowMapPass with maps of the
-// same size, drawn in turn in one process: a still scene, a moving light, a moving camera, and one
-// moving actor among a thousand.
+// same size, drawn in turn in one process: a still scene, a moving light, a moving camera.
 #include "RelievoBench.h"
 
 #include "FrameBench.h"
 #include "ShadowWays.h"
 #include "Table.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
-#include <vtkSphereSource.h>
 
 #include <cmath>
 #include <functional>
@@ -36,7 +32,6 @@ using relievoTest::Timing;
 constexpr int MapSize = 2048;
 constexpr int Pixels = 600;
 constexpr int Rounds = 21;
-constexpr int Actors = 1000;
 
 struct Way
 {
@@ -93,29 +88,6 @@ const Motion Motions[] = {
     } },
 };
 
-const Motion OneMoves = { "one actor moves",
-  [](const relievoTest::ReferenceScene& scene, int frame) {
-    scene.MeshActor->SetPosition(0.5 * std::sin(0.1 * frame), 1., 0.5 * std::cos(0.1 * frame));
-  } };
-
-// Adds small spheres above the ground, each with its own mapper, until there are a thousand.
-void AddSpheres(vtkRenderer* renderer)
-{
-  for (int i = 1; i < Actors; ++i)
-  {
-    vtkNew<vtkSphereSource> sphere;
-    sphere->SetRadius(0.03);
-    sphere->SetThetaResolution(16);
-    sphere->SetPhiResolution(10);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(sphere->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->SetPosition(0.08 * (i % 32) - 1.25, 0.05 + 0.1 * (i % 3), 0.08 * (i / 32) - 1.25);
-    renderer->AddActor(actor);
-  }
-}
-
 // Cost of each casting light: frame time must not grow faster than their number.
 void MeasureLights(const std::string& name, vtkPolyData* mesh, Table& table)
 {
@@ -157,9 +129,7 @@ void MeasureLights(const std::string& name, vtkPolyData* mesh, Table& table)
   }
 }
 
-// `add` adds more actors.
-bool Measure(const std::string& name, vtkPolyData* mesh, const Motion& motion, Table& table,
-  const std::function<void(vtkRenderer*)>& add = nullptr)
+bool Measure(const std::string& name, vtkPolyData* mesh, const Motion& motion, Table& table)
 {
   std::vector<std::unique_ptr<SceneWindow>> windows;
   std::vector<Timed> frames;
@@ -167,10 +137,6 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const Motion& motion, T
   {
     windows.emplace_back(new SceneWindow(mesh, Pixels, Pixels));
     SceneWindow* window = windows.back().get();
-    if (add)
-    {
-      add(window->Scene.Renderer);
-    }
     if (way.SetUp)
     {
       way.SetUp(window->Scene.Renderer);
@@ -231,9 +197,5 @@ int RelievoBenchShadowFrames(const std::string& outDir)
     }
     MeasureLights(name, mesh, table);
   }
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(0.1);
-  sphere->Update();
-  Measure("1000 spheres", sphere->GetOutput(), OneMoves, table, AddSpheres);
   return table.WriteCsv(outDir + "/shadow-frames.csv") ? 0 : 1;
 }
