@@ -9,8 +9,8 @@ RELIEVO is the command. Whole commands draw scenes that this script makes, large
 PNG: the command with --preset none and studio, its default, and bench/peers.py with F3D and with
 VTK, in the first that has them of --f3d or --vtk, this Python, python3 and pvpython. Two series are
 of other commands: relievo visible on one mesh, and relievo dataset, with a growing number of
-cameras; a third writes OpenEXR. Processor time
-is that of all threads and processes, the least of the rounds: the first compiles shaders that Mesa
+cameras; a third writes OpenEXR. Processor time is that of all threads and processes, the least of
+the rounds: the first compiles shaders that Mesa
 keeps. Memory is the most that all processes hold at a time, of the first round. Both are given
 whole, and less those of the first row, whose scene is next to nothing: an empty start. An exponent
 is the slope of the logarithm of what is more than that against the logarithm of the size, by least
@@ -241,7 +241,7 @@ def cameras(folder, size):
 
 
 def seen(file, size, count):
-    """A mesh, and what so many cameras see of it."""
+    """A mesh, and its cells seen by so many cameras."""
     return Case(file, size, "visible", "cells.vtp", window="320x240",
                 relievo=("--poses", f"orbit:{count}"), peers=())  # fmt: skip
 

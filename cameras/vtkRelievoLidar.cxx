@@ -391,14 +391,23 @@ void vtkRelievoLidar::AddTo(vtkFieldData* fields)
   AddNumbers(
     fields, "elevations", this->Elevations.data(), static_cast<int>(this->Elevations.size()));
   AddNumbers(fields, "azimuths", this->Azimuths.data(), static_cast<int>(this->Azimuths.size()));
+  if (this->Spins)
+  {
+    const double ends[2] = { this->First, this->Last };
+    AddNumbers(fields, "turn", ends, 2);
+  }
   if (this->IsMoving())
   {
     AddNumbers(fields, "way", this->Way, 3);
-    AddNumbers(fields, "turn", this->Turn, 3);
+    AddNumbers(fields, "rotation", this->Turn, 3);
   }
-  if (this->RangeLimits[0] > 0.0 || std::isfinite(this->RangeLimits[1]))
+  if (this->RangeLimits[0] > 0.0)
   {
-    AddNumbers(fields, "range_limits", this->RangeLimits, 2);
+    AddNumbers(fields, "min_range", this->RangeLimits, 1);
+  }
+  if (std::isfinite(this->RangeLimits[1]))
+  {
+    AddNumbers(fields, "max_range", this->RangeLimits + 1, 1);
   }
   if (this->Divergence > 0.0)
   {

@@ -112,7 +112,6 @@ private:
   void operator=(const vtkRelievoLidar&) = delete;
 
   bool CheckAngles(const char* what, int count, const double* angles);
-  double GetAzimuth(double u, double v) const;
   double GetInterpolated(const std::vector<double>& values, double v) const;
   bool FindBeam(double elevation, double& v) const;
   bool FindColumn(const double point[3], double& u, double& v) const;

@@ -417,6 +417,9 @@ void DatasetPainter::RestoreLights()
       lamp.Light->SetSwitch(lamp.On);
     }
   }
+  this->Sun = nullptr;
+  this->Lamps.clear();
+  this->IsOwnSun = false;
 }
 
 //------------------------------------------------------------------------------

@@ -68,6 +68,9 @@ public:
   DatasetView Draw(vtkRelievoCameraModel* camera, vtkRelievoCameraModel* before,
     const std::optional<std::array<double, 3>>& sun);
 
+  /// Gives the lights back as they were before suns of their own.
+  void RestoreLights();
+
 private:
   struct Lamp
   {
@@ -78,7 +81,6 @@ private:
   void OpenWindow();
   void BeginView();
   void SetSun(const std::array<double, 3>& direction);
-  void RestoreLights();
   void DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& view);
   void FollowRays(vtkRelievoCameraModel* camera, vtkRelievoCameraModel* before, DatasetView& view);
   vtkSmartPointer<vtkImageData> DrawLayers(const std::vector<std::string>& layers);

@@ -691,6 +691,7 @@ void vtkRelievoDatasetWriter::WriteViews()
       Json record = { { "view", i }, { "camera", dataset::DescribeDatasetCamera(camera) } };
       if (this->SceneVaries)
       {
+        painter.RestoreLights(); // which the scene may replace
         this->Vary(i);
         objects = takeObjects();
         self.CheckObjects(objects, names, i);

@@ -63,8 +63,12 @@ public:
     {
       this->Edges[i] = glm::normalize(turn * cone.Edges[i]);
     }
+    // Far from the origin the way into the mesh's coordinates rounds more than the result shows.
+    const glm::dvec3 moved(
+      glm::dmat3(glm::abs(turn[0]), glm::abs(turn[1]), glm::abs(turn[2])) * glm::abs(from));
     this->Error = Rounding *
-      (GetSize(this->From) + GetSize(this->Mesh.GetLow()) + GetSize(this->Mesh.GetHigh()));
+      (GetSize(moved) + GetSize(this->From) + GetSize(this->Mesh.GetLow()) +
+        GetSize(this->Mesh.GetHigh()));
   }
 
   // Calls visit(triangle) for triangles, among them all that meet the cone; `visit` returns whether

@@ -35,7 +35,8 @@ public:
   {
     static const std::set<std::string> own = { "color", "object", "visible_masks", "amodal_masks",
       "visible_boxes", "amodal_boxes", "object_to_world", "K", "R", "t", "lens", "distortion",
-      "field_of_view", "orthographic", "push_broom", "elevations", "azimuths" };
+      "field_of_view", "orthographic", "push_broom", "elevations", "azimuths", "turn", "way",
+      "rotation", "min_range", "max_range", "divergence", "noise" };
     if (own.count(layer) > 0)
     {
       throw UsageError("layer " + layer +

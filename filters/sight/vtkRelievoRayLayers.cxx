@@ -540,7 +540,7 @@ int vtkRelievoRayLayers::RequestData(
       vtkErrorMacro("The rays of the camera were not followed; see the errors before.");
       return 0;
     }
-    returns.AddNoise(directions, row * columns, table);
+    returns.AddNoise(origins, row * columns, table);
     const Hits hits(table);
     for (vtkIdType i = 0; i < origins->GetNumberOfTuples(); ++i)
     {

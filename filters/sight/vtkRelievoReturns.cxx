@@ -118,7 +118,7 @@ bool vtkRelievoReturns::Find(vtkDoubleArray* origins, vtkDoubleArray* directions
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoReturns::AddNoise(vtkDoubleArray* directions, vtkIdType first, vtkTable* hits)
+void vtkRelievoReturns::AddNoise(vtkDoubleArray* origins, vtkIdType first, vtkTable* hits)
 {
   const double deviation = this->Lidar ? this->Lidar->GetNoise() : 0.0;
   if (deviation == 0.0)
@@ -148,10 +148,12 @@ void vtkRelievoReturns::AddNoise(vtkDoubleArray* directions, vtkIdType first, vt
       deviation * std::sqrt(-2.0 * std::log(even[0])) * std::cos(2.0 * vtkMath::Pi() * even[1]);
     const double moved = std::max(distance + error, 0.0);
     distances->SetComponent(i, 0, moved);
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3 && distance > 0.0; ++k)
     {
+      // Along the ray that returned, which may not be the beam's axis.
+      const double from = origins->GetComponent(i, k);
       positions->SetComponent(
-        i, k, positions->GetComponent(i, k) + (moved - distance) * directions->GetComponent(i, k));
+        i, k, from + moved / distance * (positions->GetComponent(i, k) - from));
     }
   }
 }

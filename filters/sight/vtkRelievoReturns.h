@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoReturns
- * @brief What a sensor reports of its rays: first hits within its range limits, and for a
+ * @brief The returns of a sensor's rays: first hits within its range limits, and for a
  * vtkRelievoLidar the return of a whole beam, with noise.
  *
  * A beam that diverges is a cone of rays, as in Winiwarter et al. 2022. Its return is
@@ -28,7 +28,7 @@ public:
   bool Find(vtkDoubleArray* origins, vtkDoubleArray* directions, vtkTable* hits);
 
   /** Adds range noise to distances and positions; `first` is the number of the first pixel. */
-  void AddNoise(vtkDoubleArray* directions, vtkIdType first, vtkTable* hits);
+  void AddNoise(vtkDoubleArray* origins, vtkIdType first, vtkTable* hits);
 
   /** Whether a surface at this distance is within the sensor's range limits. */
   bool IsInRange(double distance) const

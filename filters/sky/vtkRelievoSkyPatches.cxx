@@ -306,8 +306,10 @@ void vtkRelievoSkyPatches::Receiver::Add(int level, int column, int row)
   };
   const auto bound = [&](double size, double light) {
     const double largest = std::max(std::abs(light), size * most);
-    return isFree ? size * std::max(0.0, std::min(most, -least))
-                  : largest * std::max(share, 1.0 - share);
+    // The free part of a patch across the plane may be the part in front, whatever its share.
+    return isFree   ? size * std::max(0.0, std::min(most, -least))
+      : least < 0.0 ? largest
+                    : largest * std::max(share, 1.0 - share);
   };
   Node node{ level, column, row, {} };
   const double direct = receive(patch.Direct);

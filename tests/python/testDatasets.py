@@ -24,6 +24,7 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSpher
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkAssembly,
+    vtkLight,
     vtkPolyDataMapper,
     vtkPropAssembly,
     vtkRenderer,
@@ -801,6 +802,21 @@ class Datasets(unittest.TestCase):
         self.assertEqual(relievo.write_dataset(renderer, directory=broken, vary=vary, **words), 2)
         self.assertTrue(same(whole, broken))
 
+        # Lights of the scene's own beside random suns.
+        def light(_view, random):
+            renderer.RemoveAllLights()
+            lamp = vtkLight()
+            lamp.SetPosition(random.normal(size=3))
+            renderer.AddLight(lamp)
+
+        once, twice = self.folder / "once", self.folder / "twice"
+        suns = {"renderer": renderer, "cameras": "orbit:2", "size": (40, 30), "format": "npz",
+                "random_sun": True, "vary": light}  # fmt: skip
+        relievo.write_dataset(directory=once, **suns)
+        for views in ((1, 2), (0, 1)):
+            relievo.write_dataset(directory=twice, views=views, **suns)
+        self.assertTrue(same(once, twice))
+
         def fail(view, _random):
             if view == 1:
                 raise KeyError("mine")
@@ -809,6 +825,7 @@ class Datasets(unittest.TestCase):
             (ValueError, "vary: got 3", 3, {}),
             (KeyError, "mine", fail, {}),
             (TypeError, "vary: got", lambda *_: {"actor": actors[0]}, {}),
+            (ValueError, "not JSON compliant", lambda *_: {"x": numpy.nan}, {}),
             (ValueError, "view 1: got the objects actor_0, actor_2",
              lambda view, _: actors[1].SetVisibility(view != 1), {}),
             (ValueError, "layer flow: got a scene that varies", vary, {"layers": ["flow"]}),

@@ -307,13 +307,19 @@ class SensorDatasets(unittest.TestCase):
                          ("equirectangular", [360, 180]))  # fmt: skip
 
     def test_beams_have_no_picture(self):
-        lidar = relievo.Lidar(numpy.linspace(-30, 10, 8), steps=90)
+        lidar = relievo.Lidar(numpy.linspace(-30, 10, 8), steps=90, min_range=0.25, noise=0.01,
+                              way=(0.1, 0, 0))  # fmt: skip
         relievo.write_dataset(heap(), lidar, self.folder / "npz", "npz")
         found = numpy.load(self.folder / "npz" / "000000.npz")
         self.assertNotIn("color", found)
         self.assertEqual(found["lens"], "lidar")
+        self.assertEqual(found["min_range"], 0.25)
+        self.assertNotIn("max_range", found)
+        numpy.testing.assert_array_equal(found["turn"], (180, -180))
+        numpy.testing.assert_array_equal(found["way"], (0.1, 0, 0))
         pinhole = relievo.Pinhole(K, SIZE)
-        for cameras, view in (([lidar, pinhole], 0), ([pinhole, lidar, pinhole], 1)):
+        beams = relievo.Lidar([0, 5], azimuths=[0, 9])
+        for cameras, view in (([beams, pinhole], 0), ([pinhole, beams, pinhole], 1)):
             says = f"view {view}: layer flow_valid refers to places"
             with self.assertRaisesRegex(ValueError, says):
                 relievo.write_dataset(heap(), cameras, self.folder / "x", "npz", ["flow_valid"])

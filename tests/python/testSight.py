@@ -16,6 +16,7 @@ from testDatasets import vtkCompositeMapper
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkImageData,
@@ -322,6 +323,16 @@ class Seen(unittest.TestCase):
                                               / numpy.linalg.norm(position[0], axis=-1)))
             self.assertLessEqual(away.max(), 1 + 1e-6)
             self.assertGreater(away.max(), 0.5)
+            noisy = relievo.Lidar([0] * 4, azimuths=azimuths, divergence=2, samples=64, noise=0.1,
+                                  returns=returns)
+            image = relievo.capture(scene.GetOutput(), ["position", "range"], camera=noisy)
+            moved = relievo.layer(image, "position")[0]
+            lengths = numpy.linalg.norm(moved, axis=-1)
+            numpy.testing.assert_allclose(lengths, relievo.layer(image, "range")[0], rtol=1e-6)
+            self.assertTrue((lengths != numpy.linalg.norm(position[0], axis=-1)).all())
+            numpy.testing.assert_allclose(
+                moved / lengths[:, None],
+                position[0] / numpy.linalg.norm(position[0], axis=-1, keepdims=True), atol=1e-6)
 
     def test_range_noise(self):
         """Errors are normally distributed, along the beam, and the seed repeats them."""
@@ -749,6 +760,14 @@ class Scatter(unittest.TestCase):
             with self.assertRaisesRegex(RuntimeError, "0 of 1 bodies found a place in 9 tries"):
                 relievo.scatter([small], 1, area, fixed=[fixed], tries=9)
         self.assertIsNone(small.GetUserMatrix())
+        # A table at the bodies' height is no obstacle, and keeps its transform.
+        table = solid([(-9, 0, -9), (9, 0, -9), (9, 0, 9), (-9, 0, 9)], [(0, 1, 2, 3)])
+        transform = vtkTransform()
+        transform.Translate(0, 0.1, 0)
+        table.SetUserTransform(transform)
+        for seed in range(5):
+            relievo.scatter([small], seed, area, height=0.1, fixed=[table], tries=1)
+        self.assertIs(table.GetUserTransform(), transform)
 
     def test_refused(self):
         body = solid(*brick(1, 1, 1))
@@ -758,6 +777,8 @@ class Scatter(unittest.TestCase):
             ("area, random: got", lambda: relievo.scatter([body], "a", ((0, 9), (0, 9)))),
             ("actors: got", lambda: relievo.scatter([3], 1, ((0, 9), (0, 9)))),
             ("actors: got", lambda: relievo.scatter([vtkActor()], 1, ((0, 9), (0, 9)))),
+            ("fixed: got", lambda: relievo.scatter([body], 1, ((0, 9), (0, 9)), fixed=[3])),
+            ("tries: got", lambda: relievo.scatter([body], 1, ((0, 9), (0, 9)), tries="a")),
         ):
             with self.assertRaisesRegex(ValueError, words):
                 call()

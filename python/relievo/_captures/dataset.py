@@ -70,13 +70,16 @@ def write_dataset(*arguments, **given):
     _name_categories(writer, given["categories"])
     size = given["size"]
     ended = []
-    if given["vary"] is not None:
-        _vary(writer, given["vary"], given["seed"], ended)
+    tag = None if given["vary"] is None else _vary(writer, given["vary"], ended)
     _add_views(writer, given["cameras"], None if size is None else _pixels(size), given["lens"])
     found = kept(made)
     held = nullcontext() if found is None else found.held()
-    with held, _frame_of(made):
-        _run(writer, writer.Write, given["progress"], ended)
+    try:
+        with held, _frame_of(made):
+            _run(writer, writer.Write, given["progress"], ended)
+    finally:
+        if tag is not None:  # the observer holds the writer
+            writer.RemoveObserver(tag)
     return writer.GetNumberOfViewsWritten()
 
 
@@ -101,10 +104,10 @@ objects: the kind of objects: "actor", "block" (of composite data), or a list of
     occlude others.
 {describe_all(vtkRelievoDatasetWriter(), _OF_WRITER)}
 vary: a function of the view's number and a numpy.random.Generator, seeded with `seed` and this
-    number. It changes the scene before the view is drawn, and returns what the record of the view
-    shall hold as "variation": a dictionary, or None. It must set all that it changes, because views
-    are not drawn in order after an interruption, and keep the visible actors. The scene stays as
-    it was for the last view. Layers of flow are refused.
+    number. It changes the scene before the view is drawn, and returns a dictionary for the view's
+    record, as "variation", or None. It must set all that it changes, because it is called more than
+    once for view 0, and views are not drawn in order after an interruption; and keep the visible
+    actors. The scene stays as it was for the last view. Layers of flow are refused.
 views: (first, end) of the views to draw in this call; None for all.
 description: a text about the data set; a folder begun with another description is refused.
 progress: called with the share done after each view; if it returns False, the call ends with a
@@ -116,19 +119,20 @@ categories: {{category: [objects]}} for the formats coco, yolo and kitti: names 
 
 Returns the number of views written. Raises ValueError for wrong arguments, such as settings
 other than those that the folder was begun with, OSError for files that cannot be written or
-read, RuntimeError if drawing fails.
+read, RuntimeError if drawing fails, TypeError if `vary` returns something that JSON does not have,
+and the errors of `vary` itself.
 """
 
 
-def _vary(writer, vary, seed, ended):
+def _vary(writer, vary, ended):
     """Calls `vary` for each view, and now for the first one, which cameras are placed around."""
     if not callable(vary):
         raise ValueError(f"vary: got {describe(vary)}, expected a function of the view's number "
                          "and a numpy.random.Generator")
 
     def call(view):
-        chosen = vary(view, numpy.random.default_rng((seed % (1 << 32), view)))
-        return json.dumps(chosen, default=_plain)
+        chosen = vary(view, numpy.random.default_rng((writer.GetSeed() % (1 << 32), view)))
+        return json.dumps(chosen, default=_plain, allow_nan=False)
 
     @calldata_type(VTK_INT)
     def begin(_writer, _event, view):
@@ -140,7 +144,7 @@ def _vary(writer, vary, seed, ended):
 
     call(0)
     writer.SceneVariesOn()
-    writer.AddObserver("StartEvent", begin)
+    return writer.AddObserver("StartEvent", begin)
 
 
 def _plain(value):

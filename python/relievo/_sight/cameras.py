@@ -325,12 +325,20 @@ class Lidar(CameraModel):
         motion = [_numbers(name, each, 3).tolist()
                   for name, each in (("way", way), ("rotation", rotation))]
         self._call("way, rotation", self.model.SetMotion, *motion)
-        self._call("min_range, max_range", self.model.SetRangeLimits, min_range, max_range)
-        self._call("divergence, samples", self.model.SetDivergence, divergence, samples)
+        numbers = {"min_range": min_range, "max_range": max_range, "divergence": divergence,
+                   "noise": noise}  # fmt: skip
+        if not all(_is_number(each) for each in numbers.values()):
+            raise ValueError(f"{', '.join(numbers)}: got {numbers}, expected numbers")
+        whole = {"samples": samples, "seed": seed}
+        if not all(_is_number(each) and abs(each) < 1 << 31 and int(each) == each
+                   for each in whole.values()):
+            raise ValueError(f"samples, seed: got {whole}, expected whole numbers")
         if returns not in ("first", "last"):
             raise ValueError(f"returns: got {returns!r}, expected 'first' or 'last'")
+        self._call("min_range, max_range", self.model.SetRangeLimits, min_range, max_range)
+        self._call("divergence, samples", self.model.SetDivergence, divergence, int(samples))
         self.model.SetReturn(("first", "last").index(returns))
-        self._call("noise", self.model.SetNoise, noise, seed)
+        self._call("noise", self.model.SetNoise, noise, int(seed))
         if (steps is None) == (azimuths is None):
             raise ValueError("Lidar: expected either steps, of a spinning sensor, or azimuths, as "
                              "many as elevations")
@@ -473,6 +481,10 @@ def _camera_of(camera):
         raise ValueError(f"camera: got {describe(camera)}, expected a vtkCamera, a renderer or "
                          f"something with a .renderer")
     return found
+
+
+def _is_number(value):
+    return isinstance(value, (int, float, numpy.number)) and not math.isnan(value)
 
 
 def _numbers(name, values, count):

@@ -13,6 +13,7 @@ from ..vtk.util.numpy_support import vtk_to_numpy
 from ..vtk.vtkCommonMath import vtkMatrix4x4
 from ..vtk.vtkFiltersCore import vtkTriangleFilter
 from ..vtk.vtkFiltersGeometry import vtkGeometryFilter
+from ..vtk.vtkRenderingCore import vtkActor
 from .rays import rays
 
 _LEVEL = 1e-9  # points of one level, in sizes of the body
@@ -22,14 +23,14 @@ _AXES = {"x": (1, 2, 0), "y": (2, 0, 1), "z": (0, 1, 2)}  # of the plane, and up
 class _Body:
     """The triangles of an actor, in the space of its own position, orientation and scale."""
 
-    def __init__(self, thing):
+    def __init__(self, thing, name):
         actor = prop_of(thing)
         mapper = None if actor is None else actor.GetMapper()
         if mapper is not None:
             mapper.Update()
         data = None if mapper is None else mapper.GetInputDataObject(0, 0)
         if data is None or not is_a(data, "vtkDataSet"):
-            raise ValueError(f"actors: got {describe(thing)}, expected actors of a mesh")
+            raise ValueError(f"{name}: got {describe(thing)}, expected actors of a mesh")
         surface, triangles = vtkGeometryFilter(), vtkTriangleFilter()
         surface.SetInputData(data)
         triangles.SetInputConnection(surface.GetOutputPort())
@@ -38,12 +39,14 @@ class _Body:
         triangles.Update()
         self.mesh = triangles.GetOutput()
         if self.mesh.GetNumberOfCells() == 0:
-            raise ValueError("actors: got an actor without triangles, expected actors of a mesh")
+            raise ValueError(f"{name}: got an actor without triangles, expected actors of a mesh")
         self.actor = actor
-        placed = actor.GetUserMatrix()
-        actor.SetUserMatrix(None)
-        self.own = _array(actor.GetMatrix())
-        actor.SetUserMatrix(placed)
+        own = vtkActor()  # without the user's matrix
+        own.SetOrigin(actor.GetOrigin())
+        own.SetPosition(actor.GetPosition())
+        own.SetOrientation(actor.GetOrientation())
+        own.SetScale(actor.GetScale())
+        self.own = _array(own.GetMatrix())
         points = vtk_to_numpy(self.mesh.GetPoints().GetData()).astype(float)
         # Meshes with edges have several points at one place.
         places, numbers = numpy.unique(points, axis=0, return_inverse=True)
@@ -69,7 +72,7 @@ class _Body:
             weights = numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1)
             middles = (a + b + c) / 3
         total = weights.sum()
-        if total == 0:  # without volume, or without area
+        if abs(total) <= _LEVEL * numpy.abs(weights).sum():  # without volume, or without area
             return self.points.mean(axis=0)
         return self.points[0] + (weights[:, None] * middles).sum(axis=0) / total
 
@@ -83,7 +86,8 @@ class _Body:
 
         Of two triangles that intersect, an edge of one meets the other.
         """
-        if (self.low > other.high).any() or (other.low > self.high).any():
+        slack = _LEVEL * (self.high - self.low).max()  # a table that bodies touch is no obstacle
+        if (self.low > other.high - slack).any() or (other.low > self.high - slack).any():
             return False
         return self._meets(other) or other._meets(self)
 
@@ -222,12 +226,14 @@ def scatter(actors: Sequence[Any], random: Any, area: Any, *, up: str = "y", hei
                          f"and a numpy.random.Generator or a seed ({error})") from None
     if limits.shape != (2, 2) or not (limits[:, 0] < limits[:, 1]).all():
         raise ValueError(f"area: got {area!r}, expected ((low, high), (low, high))")
+    if isinstance(tries, bool) or not isinstance(tries, int) or tries < 1:
+        raise ValueError(f"tries: got {tries!r}, expected a whole number from 1")
     axes = _AXES[up]
     frame = numpy.zeros((3, 3))  # from z up to the world
     frame[axes, range(3)] = 1
     plane = sorted(axes[:2])
-    bodies = [_Body(each) for each in actors]
-    others = [_Body(each) for each in fixed]
+    bodies = [_Body(each, "actors") for each in actors]
+    others = [_Body(each, "fixed") for each in fixed]
     for each in others:
         placed = each.actor.GetUserMatrix()
         each.take_place(numpy.identity(4) if placed is None else _array(placed))
