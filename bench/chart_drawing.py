@@ -143,7 +143,8 @@ METHODS = {
     "SSIM, scikit-image": "purple ^ -", "FLIP": "orange v -", "pixelmatch": "vermillion s -.",
     "SSIM, VTK TIGHT": "purple D -.", "SSIM, VTK LOOSE": "purple s --",
     "odiff": "vermillion v :", "idiff": "black + -",
-    "Relievo, none": "blue o -", "VTK": "grey v -.", "VTK, normals": "grey ^ :",
+    "Relievo, none": "blue o -", "Relievo, visible": "sky ^ -", "VTK": "grey v -.",
+    "VTK, normals": "grey ^ :",
 }  # fmt: skip
 
 
