@@ -827,17 +827,6 @@ std::unique_ptr<Outputs> OpenOutputs(
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> GetFrameFiles(const RenderOptions& options, int frame)
-{
-  std::vector<std::string> files;
-  for (const auto& place : GetPlaces(GetFrameOptions(options, frame)))
-  {
-    files.push_back(place.second);
-  }
-  return files;
-}
-
-//------------------------------------------------------------------------------
 void WriteFilm(const std::string& path, const std::vector<std::string>& pictures,
   const std::array<int, 2>& size, double framesPerSecond)
 {

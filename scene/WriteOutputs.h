@@ -44,9 +44,6 @@ struct FrameRange
 std::unique_ptr<Outputs> OpenOutputs(
   const RenderOptions& options, const std::vector<std::string>& inputs, int frame);
 
-/// The names of all output files of a frame.
-std::vector<std::string> GetFrameFiles(const RenderOptions& options, int frame);
-
 /// Draws the scene as set by the options and writes the files; in a sequence, each frame's files
 /// are written before the next frame is drawn. `settings`: the source of the options, for the
 /// record of a baseline. `bands`: of the renderer's window. `inputs`: all files read; no frame may

@@ -6,6 +6,7 @@
 #include "Baseline.h"
 #include "Display.h"
 #include "Errors.h"
+#include "FrameList.h"
 #include "Lens.h"
 #include "Messages.h"
 #include "Options.h"
@@ -87,6 +88,28 @@ auto OnFiles(Work work)
   catch (const words::WorkError& error)
   {
     throw words::FileError(error.what());
+  }
+}
+
+// Throws UsageError for frames, other than all, that a sequence does not have or a film lacks.
+void CheckFrames(const int frames[2], const scene::RenderOptions& options)
+{
+  const bool isToEnd = frames[1] == VTK_INT_MAX;
+  if (frames[0] == 0 && isToEnd)
+  {
+    return;
+  }
+  const int all = std::max(1, scene::CountFrames(options));
+  if (frames[0] < 0 || frames[0] >= all || frames[1] <= frames[0] || (!isToEnd && frames[1] > all))
+  {
+    throw words::UsageError("Frames: got " + std::to_string(frames[0]) + " " +
+      std::to_string(frames[1]) +
+      ", expected a first frame and an end that is behind it, from 0 to " + std::to_string(all));
+  }
+  if (!options.Motion.Video.empty() && (frames[0] > 0 || (!isToEnd && frames[1] < all)))
+  {
+    throw words::UsageError(
+      "Frames and --video: a film has all frames: leave out --video or draw all frames");
   }
 }
 
@@ -347,6 +370,7 @@ bool vtkRelievoScene::Write()
     const scene::RenderOptions& options = this->Internal->Options;
     this->Internal->Certificate.clear();
     scene::CheckOutputs(options);
+    OnFiles([&] { CheckFrames(this->Frames, options); });
     const scene::FrameRange frames{ this->Frames[0], this->Frames[1],
       [this](int frame) { this->InvokeEvent(FrameEvent, &frame); } };
     this->Internal->Options = scene::FollowProgram(options);

@@ -77,7 +77,8 @@ public:
   ///@{
   /**
    * The frames of a sequence that Write() draws, from the first to before the end. After each one's
-   * files are in place, FrameEvent is invoked with its number, an int. Default: all.
+   * files are in place, FrameEvent is invoked with its number, an int. Write() refuses frames that
+   * the sequence does not have, and a part of the frames of `--video`. Default: all.
    */
   vtkSetVector2Macro(Frames, int);
   vtkGetVector2Macro(Frames, int);

@@ -240,6 +240,19 @@ class Motion(CliTest):
         self.relievo("verify", "a.mkv.parts")
         done = self.draw(*words, "--shading", "flat", "--part", "1/2", status=2, whole=True)
         self.assertIn("was begun with words", done.stderr)
+        usual = ("--size", "16x12", "--turntable", 2, "--png", "h%d.png", "--part", "1/2")
+        for preset, status in (("none", 0), ("none", 0), ("studio", 2)):
+            done = self.relievo("render", "block.off", *usual, status=status, whole=True,
+                                environment={"RELIEVO_PRESET": preset})  # fmt: skip
+        self.assertIn("preset", done.stderr)
+        settings = self.folder / "a.mkv.parts" / "frames.json"
+        kept = settings.read_text()
+        for before, now in (('"a.mkv"', '"b.mkv"'), ('"a.mkv"', '"../a.mkv"'),
+                            ('"f%d.png"', '"x/../../f%d.png"')):  # fmt: skip
+            settings.write_text(kept.replace(before, now))  # as in a folder from elsewhere
+            done = self.relievo("merge", "a.mkv.parts", status=1, environment=environment)
+            self.assertIn("does not describe frames", done.stderr)
+        settings.write_text(kept)
         self.draw(*words[:4], "--png", "g%d.png", "--part", "2/2", whole=True)
         self.assertEqual({name for name in self.names() if name[0] == "g"},
                          {"g3.png", "g4.png", "g.png.parts"})  # fmt: skip
@@ -307,6 +320,9 @@ class Motion(CliTest):
             ((*turn, "--video", "a.mp4", "--resume"), ["--resume", "--png"]),
             (("--png", "a.png", "--part", "1/2"), ["--part", "one frame", "--turntable"]),
             ((*turn, "--png", "a%d.png", "--part", "3/2"), ["--part", "3/2"]),
+            ((*turn, "--png", "a%d.png", "--part", "1/2", "--resume"), ["--part and --resume"]),
+            ((*turn, "--png", "a%d.png", "--part", "1/2", "--part", "2/2"),
+             ["--part: given twice"]),
             ((*turn, "--video", "a.mp4", "--part", "1/2"), ["--part", "--png"]),
             ((*turn, "--exr", "a%d.exr", "--layers", "flow", "--part", "1/2"), ["--part", "flow"]),
             ((*turn, "--png", "a%d.png", "--exr", "../a%d.exr", "--part", "1/2"),

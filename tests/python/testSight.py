@@ -2229,6 +2229,8 @@ class Parts(unittest.TestCase):
             self.assertEqual(len(parts[0]()), 4)
             self.assertEqual(relievo.merge(parts), str(pathlib.Path(folder, "f_.png.parts")))
             self.assertEqual(relievo.verify(parts), "")
+            film = relievo.parts([*job, "--png=f%d.png", "--video=a%d.mkv"], 1)[0]
+            self.assertEqual(pathlib.Path(film.directory).name, "a%d.mkv.parts")
 
 
 if __name__ == "__main__":

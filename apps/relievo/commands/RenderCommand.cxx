@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arguments.h"
 #include "Command.h"
+#include "Errors.h"
 #include "FrameParts.h"
 #include "Messages.h"
 #include "Options.h"
@@ -38,7 +39,6 @@ public:
     if (this->IsPart)
     {
       this->DrawPart(scene, ofScene);
-      PrintMessages(scene);
       return 0;
     }
     SetWords(scene, ofScene);
@@ -73,6 +73,10 @@ private:
       [&](const vtkRelievoOption& row, const std::string& value) {
         if (row.Name == "--part")
         {
+          if (this->IsPart)
+          {
+            throw words::UsageError("--part: given twice, expected once");
+          }
           row.Take(value);
           return;
         }
@@ -119,6 +123,7 @@ private:
       }
       scene->SetFrames(left[i], left[next - 1] + 1);
       Write(scene);
+      PrintMessages(scene);
       i = next;
     }
     const std::string part = this->Part.GetText();

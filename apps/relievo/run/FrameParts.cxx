@@ -44,15 +44,20 @@ bool IsBelow(const fs::path& path)
   return !path.empty() && *path.begin() != ".." && !path.is_absolute();
 }
 
-// Whether settings are those that Begin() writes.
-bool IsSettings(const Json& json)
+// Whether settings are those that Begin() writes in a folder. Files of a folder from elsewhere may
+// name no file that is not beside the folder or below.
+bool IsSettings(const Json& json, const fs::path& folder)
 {
-  const auto isText = [](const Json& value) { return value.is_string(); };
+  const auto isOutput = [](const Json& value) {
+    return value.is_string() && IsBelow(fs::path(value.get<std::string>()).lexically_normal());
+  };
   if (!json.is_object() || !json.value("version", Json()).is_string() ||
     !json.value("frames", Json()).is_number_unsigned() || json["frames"] > 100000000 ||
     !json.value("outputs", Json()).is_array() || json["outputs"].empty() ||
-    !std::all_of(json["outputs"].begin(), json["outputs"].end(), isText) ||
-    !json.value("film", Json()).is_string())
+    !std::all_of(json["outputs"].begin(), json["outputs"].end(), isOutput) ||
+    !json.value("film", Json()).is_string() ||
+    (json["film"] != "" &&
+      json["film"].get<std::string>() + ".parts" != folder.filename().string()))
   {
     return false;
   }
@@ -75,6 +80,11 @@ std::string FrameParts::GetFolder(const scene::RenderOptions& options)
   {
     throw words::UsageError("--part: there is one frame: give --turntable N, --camera-path F or "
                             "--times START:END:STEP as well");
+  }
+  if (options.Motion.Resume)
+  {
+    throw words::UsageError("--part and --resume: give one of them; a part draws only the frames "
+                            "that are missing or damaged");
   }
   scene::CheckFramesAlone(options, "--part");
   const std::vector<std::string> outputs = GetOutputs(options);
@@ -134,9 +144,9 @@ std::vector<int> FrameParts::Begin(const std::string& words, const scene::Render
   }
   const int frames = scene::CountFrames(options);
   const std::string& film = options.Motion.Video;
-  this->Read = { { "version", RELIEVO_VERSION }, { "words", words }, { "files", files.Finish() },
-    { "frames", static_cast<unsigned>(frames) }, { "outputs", outputs },
-    { "film", film.empty() ? "" : relate(film) },
+  this->Read = { { "version", RELIEVO_VERSION }, { "words", words }, { "preset", options.Preset },
+    { "files", files.Finish() }, { "frames", static_cast<unsigned>(frames) },
+    { "outputs", outputs }, { "film", film.empty() ? "" : relate(film) },
     { "size", { static_cast<unsigned>(options.Size[0]), static_cast<unsigned>(options.Size[1]) } },
     { "fps", options.Motion.FramesPerSecond } };
   this->Hash = dataset::OpenWorkFolder(this->Folder, Settings, this->Read);
@@ -186,7 +196,7 @@ dataset::WorkState FrameParts::Verify(dataset::WorkCheck check) const
 {
   const std::string path = this->Folder + "/" + Settings;
   const Json settings = dataset::ReadWorkJson(path);
-  if (!IsSettings(settings))
+  if (!IsSettings(settings, this->Folder))
   {
     throw words::FileError(path + ": does not describe frames");
   }

@@ -115,7 +115,8 @@ def parts(job, n) -> list[Part]:
 
 def merge(parts) -> str:
     """Joins the parts of a job, and returns the path of the result: the file, or the folder of the
-    data set or of frames without a film.
+    data set. Frames without a film are complete without merge(), which then checks them and returns
+    the folder of the parts, beside the pictures.
 
     parts: the list from parts(), all of them complete; or the folder of the parts.
 
@@ -215,7 +216,8 @@ def _output(words):
                 value = word.partition("=")[2]
             else:
                 continue
-            return re.sub("%[0-9]*d", "", value) if words[0] == "render" else value
+            is_numbered = words[0] == "render" and name != "--video"
+            return re.sub("%[0-9]*d", "", value) if is_numbered else value
     raise ValueError(f"job: got no {names[0]}, expected the words of {words[0]} with their output")
 
 
