@@ -212,8 +212,7 @@ private Q_SLOTS:
     path->findChild<QAbstractButton*>("addView")->click();
     QCOMPARE(list->count(), 2);
     Q_EMIT list->itemActivated(list->item(1));
-    list->setCurrentRow(0);
-    Q_EMIT list->itemActivated(list->item(0));
+    Q_EMIT list->itemActivated(list->item(0)); // which is not the current one
     QCOMPARE(getX(), 0.0);
     std::vector<scene::CameraKey> keys = path->GetKeys();
     keys[1].Time = 0.08;
@@ -230,6 +229,30 @@ private Q_SLOTS:
     const scene::CameraPath read = scene::CameraPath::Read(session.toStdString());
     QCOMPARE(read.GetKeys()[1].Place.Position[0], last);
     QCOMPARE(path->GetKeys()[1].Time, 0.08);
+    // A session whose file or views cannot be read leaves the path.
+    const auto refuse = [this](const char* files, const char* time, const char* why) {
+      this->WriteText("wrong.json",
+        QString(R"({ "relievo-viewer": 1, "words": [%1], "keys": [{ "time": %2,)"
+                R"( "position": [0, 0, 7], "focal_point": [0, 0, 0], "view_up": [0, 1, 0] }] })")
+          .arg(files, time)
+          .toStdString());
+      this->Window->OpenFiles({ QString::fromStdString(this->Path("wrong.json")) });
+      this->WaitUntilRead();
+      QVERIFY2(this->Window->GetTrouble().contains(why), qPrintable(this->Window->GetTrouble()));
+    };
+    refuse("\"gone.obj\"", "0", "gone.obj");
+    refuse("", "\"0\"", "expected numbers");
+    QCOMPARE(list->count(), 2);
+    // Without a view in between, the others keep their times after it.
+    keys.push_back(keys[0]);
+    keys[2].Time = 0.28;
+    path->SetKeys(keys);
+    list->setCurrentRow(0);
+    path->findChild<QAbstractButton*>("removeView")->click();
+    QCOMPARE(path->GetKeys()[0].Time, 0.0);
+    QVERIFY(std::abs(path->GetKeys()[1].Time - 0.2) < 1e-9);
+    keys.pop_back();
+    path->SetKeys(keys);
     if (QStandardPaths::findExecutable("ffmpeg").isEmpty())
     {
       QSKIP("There is no ffmpeg.");
@@ -483,6 +506,11 @@ private Q_SLOTS:
     edit("0.5");
     QCOMPARE(close(QMessageBox::Discard), 1);
     show();
+    edit("0.25"); // as the session has it
+    QCOMPARE(close(QMessageBox::Cancel), 0);
+    show();
+    this->Window->findChild<viewer::PathGroup*>()->Add({ { 0, 0, 7 }, { 0, 0, 0 }, { 0, 1, 0 } });
+    QCOMPARE(close(QMessageBox::Cancel), 1);
   }
 
   // A picture that lights a scene is no scene: who opens one is told where it is taken.

@@ -346,6 +346,8 @@ private Q_SLOTS:
     QVERIFY(isAt(-7.0 * std::sin(angle), 0.5, 7.0 * std::cos(angle)));
     this->Press(Qt::Key_Left);
     QVERIFY(isAt(0, 0.5, 7));
+    this->Press(Qt::Key_Left, Qt::ControlModifier); // no key of the picture
+    QVERIFY(isAt(0, 0.5, 7));
     this->Press(Qt::Key_Down);
     QVERIFY(isAt(0, 0.5 + 7.0 * std::sin(angle), 7.0 * std::cos(angle)));
     this->Press(Qt::Key_Up);
@@ -368,9 +370,9 @@ private Q_SLOTS:
   void panelKeys()
   {
     this->Open({ this->WriteScene() });
-    const Qt::Key keys[] = { Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5 };
+    const Qt::Key keys[] = { Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_6 };
     int number = 0;
-    for (const char* name : { "scene", "light", "look", "layers", "report" })
+    for (const char* name : { "scene", "light", "look", "layers", "report", "comparison" })
     {
       auto* dock = this->Window->findChild<QDockWidget*>(name);
       dock->hide();

@@ -114,7 +114,7 @@ void LayersPanel::AddColors(QGroupBox* shown)
   }
   QObject::connect(
     this->Range, &relievoQt::RangeEdit::automaticSwitched, this, [this](bool automatic) {
-      const std::array<double, 2> range = this->ReadRange();
+      const std::array<double, 2> range = this->ReadRange(true);
       const bool known = std::isfinite(range[0]) && range[0] < range[1];
       this->Set("range",
         automatic ? "0/0"
@@ -255,7 +255,7 @@ void LayersPanel::ShowRange()
 {
   this->Range->ShowFound(this->Edited->Get().GetParameter(Stage, "layer").empty()
       ? std::array<double, 2>{ 0.0, 0.0 }
-      : this->ReadRange());
+      : this->ReadRange(false));
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,7 @@ class LayersPanel : public Panel
 
 public:
   /// The values of the layer's first and last colour in the last picture.
-  using RangeReader = std::function<std::array<double, 2>()>;
+  using RangeReader = std::function<std::array<double, 2>(bool waits)>;
 
   LayersPanel(Document* document, RangeReader read, QWidget* parent = nullptr);
 

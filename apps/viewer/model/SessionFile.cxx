@@ -75,17 +75,31 @@ QJsonArray WriteKeys(const std::vector<scene::CameraKey>& keys)
   return all;
 }
 
-std::vector<scene::CameraKey> ReadKeys(const QJsonArray& all)
+double ReadNumber(const QJsonValue& value)
 {
+  if (!value.isDouble())
+  {
+    throw words::WorkError("a view of the camera's path: expected numbers");
+  }
+  return value.toDouble();
+}
+
+std::vector<scene::CameraKey> ReadKeys(const QJsonValue& given)
+{
+  if (!given.isUndefined() && !given.isArray())
+  {
+    throw words::WorkError("the camera's path: expected a list of views");
+  }
+  const QJsonArray all = given.toArray();
   std::vector<scene::CameraKey> keys;
   for (const auto& each : all)
   {
     const QJsonObject one = each.toObject();
-    scene::CameraKey key{ one["time"].toDouble(), {} };
+    scene::CameraKey key{ ReadNumber(one["time"]), {} };
     for (const auto& [name, member] : Triples)
     {
       const QJsonArray v = one[name].toArray();
-      key.Place.*member = { v[0].toDouble(), v[1].toDouble(), v[2].toDouble() };
+      key.Place.*member = { ReadNumber(v[0]), ReadNumber(v[1]), ReadNumber(v[2]) };
     }
     if (const std::string expected = look::CheckPlace(key.Place); !expected.empty())
     {
@@ -166,7 +180,7 @@ Session LoadSession(const QString& path)
     }
     PlaceSun(view, root["sun"].toObject());
     view.MakePathsAbsolute(QFileInfo(path).absolutePath().toStdString());
-    return { view, ReadKeys(root["keys"].toArray()) };
+    return { view, ReadKeys(root["keys"]) };
   }
   catch (const std::exception& error)
   {

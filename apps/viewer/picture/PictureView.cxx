@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureView.h"
 
+#include "Display.h"
 #include "Errors.h"
 
 #include "vtkCallbackCommand.h"
@@ -10,7 +11,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindowInteractor.h"
-#include "vtkTextureObject.h"
 
 #include <QApplication>
 #include <QLabel>
@@ -201,6 +201,7 @@ void PictureView::OnDrawn()
   const int left = frame ? frame->GetSamplesLeft() : 0;
   if (left > 0 && left >= this->SamplesLeft) // this was the first sample
   {
+    this->renderWindow()->MakeCurrent(); // after a thread's sample it is not
     this->renderWindow()->WaitForCompletion();
     frame->SetSamplesOneByOne(!this->Hurried && this->Begun.elapsed() * SamplesOfAll > Patience);
   }
@@ -262,9 +263,9 @@ bool PictureView::eventFilter(QObject* watched, QEvent* event)
 void PictureView::GoOn()
 {
   this->TakeBack();
-  if (this->Soon.isActive())
+  if (this->Soon.isActive() || !this->updatesEnabled())
   {
-    return; // another picture follows
+    return; // another picture follows, or one of another size is being drawn
   }
   vtkRelievoPass* frame = this->Shown->GetFrame();
   const bool slow = frame && frame->GetSamplesOneByOne();
@@ -372,7 +373,9 @@ void PictureView::keyPressEvent(QKeyEvent* event)
   const int right = (key == Qt::Key_Right) - (key == Qt::Key_Left);
   const int up = (key == Qt::Key_Up) - (key == Qt::Key_Down);
   const int nearer = (key == Qt::Key_Plus || key == Qt::Key_Equal) - (key == Qt::Key_Minus);
-  if (right == 0 && up == 0 && nearer == 0)
+  const bool isOther =
+    event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
+  if (isOther || (right == 0 && up == 0 && nearer == 0))
   {
     this->QVTKOpenGLNativeWidget::keyPressEvent(event);
     return;
@@ -439,7 +442,7 @@ PictureView::OtherSize::OtherSize(PictureView* view, const QSize& size)
   view->TakeBack();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(view->renderWindow());
   this->Before = { window->GetSize()[0], window->GetSize()[1] };
-  const int limit = vtkTextureObject::GetMaximumTextureSize(window);
+  const int limit = scene::GetSizeLimit(window);
   if (size.isValid() && std::max(size.width(), size.height()) > limit)
   {
     throw words::WorkError(QString("%1x%2 pixels: OpenGL here draws at most %3 each way")
@@ -451,6 +454,10 @@ PictureView::OtherSize::OtherSize(PictureView* view, const QSize& size)
   if (size.isValid())
   {
     this->Still = std::make_unique<QLabel>(view->parentWidget());
+    for (const Qt::WidgetAttribute own : { Qt::WA_DontCreateNativeAncestors, Qt::WA_NativeWindow })
+    {
+      this->Still->setAttribute(own, view->testAttribute(own)); // a native view would cover it
+    }
     this->Still->setPixmap(view->grab());
     this->Still->setGeometry(view->geometry());
     this->Still->show();

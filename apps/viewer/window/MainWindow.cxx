@@ -123,12 +123,13 @@ QString GetTitle(const std::vector<std::string>& files)
 
 constexpr int SmoothPatience = 500; // milliseconds until the user is told of it
 
-// Reads a property of the picture. While a sample is drawn, its last value stays.
+// Reads a property of the picture. While a sample is drawn, its last value stays, or the reader
+// waits for the sample.
 template <typename Read>
 auto ReadAtRest(PictureView* view, Read read)
 {
-  return [view, read, known = decltype(read(view->GetPicture()))()]() mutable {
-    if (!view->IsDrawing())
+  return [view, read, known = decltype(read(view->GetPicture()))()](bool waits = false) mutable {
+    if (waits || !view->IsDrawing())
     {
       known = read(view->GetPicture());
     }
@@ -244,7 +245,7 @@ void MainWindow::AddPanels()
     this);
   auto* look = new LookPanel(
     this->Edited, ReadAtRest(this->Shown, &GetColorRange),
-    [this] {
+    [this](bool /*waits*/) {
       return FindSeenRange(
         this->Shown->GetPicture(), this->Edited->Get().Parse().Look, this->Edited->GetFacts());
     },
@@ -603,8 +604,24 @@ void MainWindow::OpenSession(const QString& path)
 {
   const Session session = LoadSession(path);
   this->Open(session.View, { QFileInfo(path).absoluteFilePath() });
-  this->Path->SetKeys(session.Keys);
   this->IsSafe = true;
+  this->AskedKeys = session.Keys;
+  if (session.View.Files.empty()) // none is read
+  {
+    this->TakeKeys();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Shows the camera path of a session that has been read.
+void MainWindow::TakeKeys()
+{
+  if (this->AskedKeys)
+  {
+    this->Path->SetKeys(*this->AskedKeys);
+    this->SafeKeys = *this->AskedKeys;
+    this->AskedKeys.reset();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -620,7 +637,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 void MainWindow::dropEvent(QDropEvent* event)
 {
   const QStringList paths = GetPaths(event->mimeData());
-  if (!paths.isEmpty() && !this->Saving)
+  if (!paths.isEmpty() && !this->Saving && !this->Filming)
   {
     AcceptCopy(*event);
     this->OpenFiles(paths, GetModifiers(*event).testFlag(Qt::ShiftModifier));
@@ -659,6 +676,7 @@ void MainWindow::Open(const scene::Settings& settings, const QStringList& recent
 {
   settings.Parse(); // an error leaves everything unchanged
   this->Opening = recent;
+  this->AskedKeys.reset();
   this->Dropped.clear();
   this->Colors = scene::Settings();
   this->Place = scene::Settings();
@@ -875,6 +893,7 @@ void MainWindow::GiveUp()
 {
   this->Begin();
   this->IsSafe = false;
+  this->AskedKeys.reset();
   this->Opening.clear();
   this->Dropped.clear();
   this->Colors = scene::Settings();
@@ -908,7 +927,7 @@ void MainWindow::GiveUp()
 //------------------------------------------------------------------------------
 void MainWindow::OnRead(const QString& trouble)
 {
-  if (this->Saving)
+  if (this->Saving || this->Filming)
   {
     this->Late = trouble;
     return;
@@ -975,6 +994,7 @@ QString MainWindow::ShowRead()
   this->TellDropped();
   this->Safe = this->IsSafe ? this->Edited->Get() : this->Safe;
   this->IsSafe = false;
+  this->TakeKeys();
   this->Remember();
   return QString();
 }

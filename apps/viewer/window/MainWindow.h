@@ -6,6 +6,7 @@
 #ifndef MainWindow_h
 #define MainWindow_h
 
+#include "CameraPath.h"
 #include "Document.h"
 #include "Loader.h"
 #include "Probe.h"
@@ -18,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 class QLabel;
 class QProgressBar;
@@ -166,6 +168,7 @@ private:
   vtkSmartPointer<vtkImageData> DrawTransparent();
   void SaySaved(const QString& path);
   void ShowLate();
+  void TakeKeys();
   void SetViewSize(const std::string& words);
   void KeepLayout();
   bool HasEdits() const;
@@ -195,13 +198,15 @@ private:
   QProgressBar* Bar;
   QPushButton* Cancel;
   QString Trouble;
-  bool OfFile = false;                // whether the error is a file's: other edits do not clear it
-  scene::Settings Good;               // displayed
-  scene::Settings Safe;               // last opened or saved
-  bool IsSafe = false;                // the settings being read become Safe
-  scene::Settings Asked;              // being read
-  std::vector<std::string> BeingRead; // files of the reading in progress
-  scene::Settings Meanwhile;          // displayed settings with all changes since the reading began
+  bool OfFile = false;  // whether the error is a file's: other edits do not clear it
+  scene::Settings Good; // displayed
+  scene::Settings Safe; // last opened or saved
+  bool IsSafe = false;  // the settings being read become Safe
+  std::vector<scene::CameraKey> SafeKeys; // of the camera path, last opened or saved
+  std::optional<std::vector<scene::CameraKey>> AskedKeys; // of the session being read
+  scene::Settings Asked;                                  // being read
+  std::vector<std::string> BeingRead;                     // files of the reading in progress
+  scene::Settings Meanwhile; // displayed settings with all changes since the reading began
   bool SetMeanwhile = false;
   bool PointsOnly = false; // only points are being read, and the scene stays
   std::string ReadingKey;  // of the displayed or requested files; empty: opened by the user
@@ -215,6 +220,7 @@ private:
   scene::Settings Compared; // of the scene in the displayed comparison
   bool Behind = false;      // edits wait for a sample
   bool Saving = false;
+  bool Filming = false;        // a film is saved, of pictures one after another
   std::optional<QString> Late; // result of a reading that ended while a picture was saved
   QStringList Opening;         // entries for the recent files after reading
   Probe Reading;

@@ -48,6 +48,15 @@ namespace
 constexpr int SavePatience = 500; // milliseconds until the user is told
 constexpr int MostIdle = 10;
 
+bool AreEqual(const std::vector<scene::CameraKey>& a, const std::vector<scene::CameraKey>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const scene::CameraKey& one, const scene::CameraKey& other) {
+      return one.Time == other.Time && one.Place.Position == other.Place.Position &&
+        one.Place.FocalPoint == other.Place.FocalPoint && one.Place.ViewUp == other.Place.ViewUp;
+    });
+}
+
 // Writes a file completely or not at all, and over none of the scene's files.
 template <typename Writer>
 void Write(const QString& path, vtkImageData* image, const scene::StyledScene& scene)
@@ -190,13 +199,14 @@ void MainWindow::SaveSession(const QString& path)
 {
   viewer::SaveSession(path, { this->GetViewSettings(), this->Path->GetKeys() });
   this->Safe = this->Edited->Get();
+  this->SafeKeys = this->Path->GetKeys();
   this->Recent->Add(QFileInfo(path).absoluteFilePath());
   this->SaySaved(path);
 }
 
 //------------------------------------------------------------------------------
-// Whether there are unsaved settings. Opening files is no edit: undo restores settings that it
-// dropped.
+// Whether there are unsaved settings or views of the camera path. Opening files is no edit: undo
+// restores settings that it dropped.
 bool MainWindow::HasEdits() const
 {
   const auto getEdits = [](scene::Settings settings) {
@@ -204,7 +214,9 @@ bool MainWindow::HasEdits() const
     settings.Remove("--time");
     return settings;
   };
-  return !this->Shown->IsEmpty() && getEdits(this->Edited->Get()) != getEdits(this->Safe);
+  return !this->Shown->IsEmpty() &&
+    (getEdits(this->Edited->Get()) != getEdits(this->Safe) ||
+      !AreEqual(this->Path->GetKeys(), this->SafeKeys));
 }
 
 //------------------------------------------------------------------------------
@@ -271,8 +283,7 @@ void MainWindow::ConnectPath()
 //------------------------------------------------------------------------------
 void MainWindow::SaveFilm(const PictureChoice& choice)
 {
-  Picture& picture = this->Shown->GetPicture();
-  picture.CheckShown("Save film");
+  this->Shown->GetPicture().CheckShown("Save film");
   if (!scene::VideoFile::HasProgram())
   {
     throw words::WorkError("Save film: the program ffmpeg is not installed");
@@ -282,10 +293,16 @@ void MainWindow::SaveFilm(const PictureChoice& choice)
   const std::vector<double> times = path.GetTimes(rate);
   const std::string place = choice.Path.toStdString();
   reading::Outputs outputs;
-  outputs.Add("Save", place, scene::GetInputs(picture.GetScene().GetOptions()));
-  const look::CameraPlace before = look::GetPlace(picture.GetRenderer()->GetActiveCamera());
+  outputs.Add("Save", place, scene::GetInputs(this->Shown->GetPicture().GetScene().GetOptions()));
+  const look::CameraPlace before =
+    look::GetPlace(this->Shown->GetPicture().GetRenderer()->GetActiveCamera());
   const PictureView::OtherSize sized(this->Shown, choice.Size);
-  const auto back = qScopeGuard([&] { picture.Place(before); });
+  this->Filming = true;
+  const auto back = qScopeGuard([&] {
+    this->Shown->GetPicture().Place(before);
+    this->Filming = false;
+    this->Later.start(0);
+  });
   scene::VideoFile film(
     outputs.Temporary(place), place, { choice.Size.width(), choice.Size.height() }, rate);
   QProgressDialog dialog("Drawing the film", "Cancel", 0, static_cast<int>(times.size()), this);
@@ -294,7 +311,7 @@ void MainWindow::SaveFilm(const PictureChoice& choice)
   int drawn = 0;
   for (const double time : times)
   {
-    picture.Place(path.Find(time));
+    this->Shown->GetPicture().Place(path.Find(time));
     const auto frame = this->Draw();
     if (!frame || dialog.wasCanceled())
     {

@@ -215,7 +215,7 @@ void ColorsGroup::AddRange()
   QObject::connect(this->Symmetric, &QCheckBox::toggled, this,
     [this](bool on) { this->SetRange(on ? "symmetric" : ""); });
   QObject::connect(this->Seen, &QPushButton::clicked, this, [this] {
-    if (const std::optional<std::array<double, 2>> range = this->ReadSeen())
+    if (const std::optional<std::array<double, 2>> range = this->ReadSeen(true))
     {
       this->SetRange(words::WriteNumbers({ (*range)[0], (*range)[1] }));
     }
@@ -314,7 +314,7 @@ void ColorsGroup::ShowStops()
       stops.push_back(stop);
     }
   }
-  this->Stops->Show(map.Reversed ? TurnRound(stops) : stops, this->ReadRange(), map.Log);
+  this->Stops->Show(map.Reversed ? TurnRound(stops) : stops, this->ReadRange(false), map.Log);
 }
 
 //------------------------------------------------------------------------------
@@ -324,7 +324,7 @@ void ColorsGroup::SwitchRange(bool automatic)
   {
     this->SetRange("");
   }
-  else if (const std::optional<std::array<double, 2>> range = this->ReadRange())
+  else if (const std::optional<std::array<double, 2>> range = this->ReadRange(true))
   {
     // A range of one value has no distinct ends.
     const double most = (*range)[0] < (*range)[1] ? (*range)[1] : (*range)[0] + 1.0;
@@ -454,7 +454,7 @@ void ColorsGroup::ShowSettings()
 // Called when the picture has them.
 void ColorsGroup::ShowFound()
 {
-  this->Range->ShowFound(this->ReadRange().value_or(std::array<double, 2>{ 0.0, 0.0 }));
+  this->Range->ShowFound(this->ReadRange(false).value_or(std::array<double, 2>{ 0.0, 0.0 }));
   this->ShowStops();
 }
 }

@@ -35,7 +35,7 @@ class ColorsGroup : public FoldGroup
 
 public:
   /// The present values of the first and last colour, if values give the colours.
-  using RangeReader = std::function<std::optional<std::array<double, 2>>()>;
+  using RangeReader = std::function<std::optional<std::array<double, 2>>(bool waits)>;
 
   /// `readSeen`: reads the visible range of the array that gives the colours.
   ColorsGroup(

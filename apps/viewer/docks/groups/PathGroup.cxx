@@ -73,8 +73,8 @@ PathGroup::PathGroup(QWidget* parent)
   QObject::connect(this->Seconds, &relievoQt::Number::edited, this,
     [this](double seconds) { this->SetSeconds(seconds); });
   QObject::connect(&this->Tick, &QTimer::timeout, this, &PathGroup::ShowMoment);
-  QObject::connect(this->List, &QListWidget::itemActivated, this, [this] {
-    Q_EMIT this->viewWanted(this->Keys[static_cast<std::size_t>(this->List->currentRow())].Place);
+  QObject::connect(this->List, &QListWidget::itemActivated, this, [this](QListWidgetItem* view) {
+    Q_EMIT this->viewWanted(this->Keys[static_cast<std::size_t>(this->List->row(view))].Place);
   });
   this->ShowKeys(-1);
   this->Fold(true);
@@ -102,14 +102,19 @@ void PathGroup::Add(const look::CameraPlace& view)
 }
 
 //------------------------------------------------------------------------------
+// The next view takes the removed one's time, and the others keep their times after it.
 void PathGroup::Remove()
 {
   const int row = this->List->currentRow();
   if (row >= 0)
   {
+    const auto at = static_cast<std::size_t>(row);
+    const double gap =
+      at + 1 < this->Keys.size() ? this->Keys[at + 1].Time - this->Keys[at].Time : 0.0;
     this->Keys.erase(this->Keys.begin() + row);
+    std::for_each(this->Keys.begin() + row, this->Keys.end(),
+      [gap](scene::CameraKey& key) { key.Time -= gap; });
     this->ShowKeys(std::min(row, static_cast<int>(this->Keys.size()) - 1));
-    this->SetSeconds(this->Seconds->GetValue());
   }
 }
 
