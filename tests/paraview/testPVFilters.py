@@ -200,6 +200,11 @@ output.VTKObject.SetPolys(cells)
             ends = list(shown.LookupTable.RGBPoints)[::4]
             self.assertEqual(ends[0], 0)
             self.assertAlmostEqual(ends[-1], found(name)[0], delta=1e-3 * found(name)[0])
+        # A range that the user sets stays, however small.
+        shown.LookupTable.AutomaticRescaleRangeMode = "Never"
+        shown.LookupTable.RescaleTransferFunction(5.0, 5.0005)
+        simple.Render()
+        self.assertEqual(list(shown.LookupTable.RGBPoints)[0], 5)
         simple.Hide(sun)
         roofs = [
             simple.Plane(Origin=[-99, y, 0.1], Point1=[99, y, 0.1], Point2=[-99, y + 99, 0.1])

@@ -5,6 +5,7 @@
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkProcessModule.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMSettings.h"
@@ -26,22 +27,43 @@ constexpr const char* Results[] = { "sun_hours", "insolation", "irradiation", "d
   "candidates" };
 
 // ParaView widens the range of a constant array by about 1e-4 of its value.
-constexpr double LeastWidth = 1e-3;
+constexpr double LeastWidth = 2e-4;
 
-// ParaView's name of the colours of one representation begins with this word.
+// ParaView's name of the colours of one representation is Separate_NUMBER_ARRAY.
 const std::string Separate = "Separate_";
 
 // Whether colours of this name, ARRAY.PVLookupTable, are those of a result.
 bool IsOfResult(const std::string& name)
 {
   const std::string array = name.substr(0, name.find('.'));
-  const bool separate = array.rfind(Separate, 0) == 0;
-  return std::any_of(std::begin(Results), std::end(Results), [&](const std::string& result) {
-    return separate ? array.size() > result.size() &&
-        array.compare(array.size() - result.size() - 1, std::string::npos, "_" + result) == 0
-                    : array == result;
-  });
+  std::string own = array;
+  if (array.rfind(Separate, 0) == 0)
+  {
+    const std::size_t end = array.find_first_not_of("0123456789", Separate.size());
+    const bool isNumbered = end != std::string::npos && end > Separate.size() && array[end] == '_';
+    own = isNumbered ? array.substr(end + 1) : array;
+  }
+  return std::find(std::begin(Results), std::end(Results), own) != std::end(Results);
 }
+
+void OnUpdated(vtkObject* colors, unsigned long, void*, void*)
+{
+  constexpr int never = -1; // set by ParaView for a range that the user sets
+  auto* proxy = vtkSMProxy::SafeDownCast(colors);
+  double range[2];
+  if (vtkSMPropertyHelper(proxy, "AutomaticRescaleRangeMode", true).GetAsInt() != never &&
+    vtkSMTransferFunctionProxy::GetRange(proxy, range) && range[0] >= 0.0 &&
+    range[1] - range[0] < LeastWidth * range[1])
+  {
+    vtkSMTransferFunctionProxy::RescaleTransferFunction(proxy, 0.0, range[1]);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSMRelievoResultColors::vtkSMRelievoResultColors()
+{
+  this->Updated->SetCallback(OnUpdated);
 }
 
 //------------------------------------------------------------------------------
@@ -70,21 +92,10 @@ void vtkSMRelievoResultColors::OnRegistered(vtkObject*, unsigned long, void* reg
 {
   const auto& known = *static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(registered);
   if (known.Type == vtkSMProxyManager::RegisteredProxyInformation::PROXY &&
-    std::strcmp(known.GroupName, "lookup_tables") == 0 && IsOfResult(known.ProxyName))
+    std::strcmp(known.GroupName, "lookup_tables") == 0 && IsOfResult(known.ProxyName) &&
+    !known.Proxy->HasObserver(vtkCommand::UpdateEvent, this->Updated)) // of another name
   {
-    known.Proxy->AddObserver(vtkCommand::UpdateEvent, this, &vtkSMRelievoResultColors::OnUpdated);
-    this->OnUpdated(known.Proxy, vtkCommand::UpdateEvent, nullptr);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkSMRelievoResultColors::OnUpdated(vtkObject* colors, unsigned long, void*)
-{
-  auto* proxy = vtkSMProxy::SafeDownCast(colors);
-  double range[2];
-  if (vtkSMTransferFunctionProxy::GetRange(proxy, range) && range[0] >= 0.0 &&
-    range[1] - range[0] < LeastWidth * range[1])
-  {
-    vtkSMTransferFunctionProxy::RescaleTransferFunction(proxy, 0.0, range[1]);
+    known.Proxy->AddObserver(vtkCommand::UpdateEvent, this->Updated);
+    OnUpdated(known.Proxy, vtkCommand::UpdateEvent, nullptr, nullptr);
   }
 }

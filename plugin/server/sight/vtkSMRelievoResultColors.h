@@ -6,11 +6,14 @@
  *
  * ParaView gives a constant array the lowest colour: a mesh in the sun all day would look shaded.
  * Shares keep the range 0 to 1, unless the user has saved another default. Other results, such as
- * hours, get the range from 0 to their value where they are constant.
+ * hours, get the range from 0 to their value where they are constant, unless the user has set a
+ * range.
  */
 #ifndef vtkSMRelievoResultColors_h
 #define vtkSMRelievoResultColors_h
 
+#include "vtkCallbackCommand.h" // for the observer of colours
+#include "vtkNew.h"             // for the observer of colours
 #include "vtkObject.h"
 #include "vtkRelievoPluginServerModule.h" // for the export macro
 
@@ -24,7 +27,7 @@ public:
   static void Start();
 
 protected:
-  vtkSMRelievoResultColors() = default;
+  vtkSMRelievoResultColors();
   ~vtkSMRelievoResultColors() override = default;
 
 private:
@@ -32,7 +35,8 @@ private:
   void operator=(const vtkSMRelievoResultColors&) = delete;
 
   void OnRegistered(vtkObject*, unsigned long, void* registered);
-  void OnUpdated(vtkObject* colors, unsigned long, void*);
+
+  vtkNew<vtkCallbackCommand> Updated; // observes colours of results
 };
 
 #endif
