@@ -109,7 +109,10 @@ bool ReadMaxColor(const aiMaterial* material, aiColor4D& color)
   {
     material->Get("$raw.3dsMax|Parameters|base_weight", 0, 0, weight);
   }
-  color = aiColor4D(weight * color.r, weight * color.g, weight * color.b, 1.f);
+  const auto weigh = [weight](float share) {
+    return (std::isfinite(weight) ? weight : 1.f) * (std::isfinite(share) ? share : 1.f);
+  };
+  color = aiColor4D(weigh(color.r), weigh(color.g), weigh(color.b), 1.f);
   return true;
 }
 }

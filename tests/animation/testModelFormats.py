@@ -353,10 +353,10 @@ class Colors(unittest.TestCase):
                 with self.subTest(color=color, slot=slot):
                     self.assertEqual(errors, [])
                     fields = reader.GetOutput().GetBlock(0).GetFieldData()
-                    numpy.testing.assert_allclose(
-                        fields.GetArray("base_color").GetTuple4(0), expected, atol=1e-6)  # fmt: skip
-                    self.assertEqual(
-                        bool(fields.GetAbstractArray("base_color_texture")), bool(slot))  # fmt: skip
+                    color = fields.GetArray("base_color").GetTuple4(0)
+                    numpy.testing.assert_allclose(color, expected, atol=1e-6)
+                    texture = fields.GetAbstractArray("base_color_texture")
+                    self.assertEqual(bool(texture), bool(slot))
 
 
 SKIN = FBX[: FBX.index("    Model: 20")] + """
