@@ -337,6 +337,7 @@ class Colors(unittest.TestCase):
                 ("", None, (0.5, 0.5, 0.5, 1)),
                 (physical, None, (1, 0.5, 0, 1)),
                 (physical + "\n" + weight, None, (0.5, 0.25, 0, 1)),
+                (physical + "\n" + weight.replace("0.5", "nan"), None, (1, 0.5, 0, 1)),
                 (physical + "\n" + weight, "Parameters", (0.5, 0.5, 0.5, 1)),
                 (pbr, None, (0, 0.25, 1, 1)),
                 (pbr, "main", (1, 1, 1, 1)),
@@ -353,8 +354,8 @@ class Colors(unittest.TestCase):
                 with self.subTest(color=color, slot=slot):
                     self.assertEqual(errors, [])
                     fields = reader.GetOutput().GetBlock(0).GetFieldData()
-                    color = fields.GetArray("base_color").GetTuple4(0)
-                    numpy.testing.assert_allclose(color, expected, atol=1e-6)
+                    found = fields.GetArray("base_color").GetTuple4(0)
+                    numpy.testing.assert_allclose(found, expected, atol=1e-6)
                     texture = fields.GetAbstractArray("base_color_texture")
                     self.assertEqual(bool(texture), bool(slot))
 

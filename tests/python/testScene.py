@@ -223,6 +223,24 @@ class Scene(unittest.TestCase):
         self.assertTrue(scene.SetWords(words) and scene.Update())
         self.assertEqual([scene.GetFileOf(actor) for actor in range(-1, 4)], ["", *files, ""])
 
+    def test_frames_that_a_sequence_lacks(self):
+        scene = vtkRelievoScene()
+        scene.AddObserver("ErrorEvent", lambda *_: None)
+        for ranges, more, said in (
+            (((-1, 2), (3, 4), (0, 4), (2, 2)), (), "from 0 to 3"),
+            (((1, 3),), ("--video", self.path("m.mp4")), "--video"),
+        ):
+            words = vtkStringArray()
+            for word in (self.mesh, "--turntable", "3", "--png", self.path("m%d.png"), *more):
+                words.InsertNextValue(str(word))
+            self.assertTrue(scene.SetWords(words))
+            for frames in ranges:
+                with self.subTest(frames=frames):
+                    scene.SetFrames(*frames)
+                    self.assertFalse(scene.Write())
+                    self.assertEqual(scene.GetFailure(), vtkRelievoScene.USAGE_FAILURE)
+                    self.assertIn(said, scene.GetFailureText())
+
     def test_suns_right_above_and_below(self):
         for elevation in (90, -90):
             scene = relievo.scene(self.mesh, light=f"sun:30,{elevation}")
