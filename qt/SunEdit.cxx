@@ -15,6 +15,8 @@ namespace relievoQt
 {
 namespace
 {
+constexpr int LinesOfWords = 2;
+
 QFormLayout* AddPart(QWidget* part, const char* name, QWidget* whole)
 {
   part->setObjectName(name);
@@ -78,6 +80,9 @@ SunEdit::SunEdit(QWidget* parent)
   this->Time->SetClock();
   this->Words->setObjectName("place");
   this->Words->setWordWrap(true);
+  this->Words->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  // Rows below must not move when the text changes from one line to two.
+  this->Words->setMinimumHeight(LinesOfWords * this->Words->fontMetrics().lineSpacing());
   this->layout()->addWidget(this->Words);
   QObject::connect(this->By, static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged),
     this, &SunEdit::ShowRows);
@@ -112,9 +117,9 @@ QString SunEdit::WritePlace(double azimuth, double elevation, bool byPlace)
     return elevation < 0.0 ? "Below the horizon: the sun lights from beneath." : "";
   }
   return elevation > 0.0
-    ? QString("Azimuth %1\u00b0, elevation %2\u00b0")
-        .arg(azimuth, 0, 'f', 1)
+    ? QString("Day: the sun is %1\u00b0 above the horizon, at azimuth %2\u00b0")
         .arg(elevation, 0, 'f', 1)
+        .arg(azimuth, 0, 'f', 1)
     : QString("Night: the sun is %1\u00b0 below the horizon and gives no light.")
         .arg(-elevation, 0, 'f', 1);
 }

@@ -31,8 +31,8 @@ public:
   /// Text below the rows; empty hides it.
   void SetWords(const QString& words);
 
-  /// Describes the sun's position: for date and place, its angles, "Azimuth 179.0°, elevation
-  /// 65.4°", or that it is night; for angles, a note if it shines from below.
+  /// Describes the sun's position: for date and place, "Day: the sun is 65.4° above the
+  /// horizon, at azimuth 179.0°", or that it is night; for angles, a note if it shines from below.
   static QString WritePlace(double azimuth, double elevation, bool byPlace);
 
   /// Each emits its own signals. Angles are in degrees, the time in hours of the clock, the zone in

@@ -29,6 +29,8 @@
 #include <QSlider>
 #include <QTableWidget>
 #include <QToolBar>
+#include <QToolButton>
+#include <QTreeWidget>
 #include <QWheelEvent>
 #include <QtTest>
 
@@ -143,6 +145,14 @@ private Q_SLOTS:
     QVERIFY(looks(0, 1, 0));
     this->Press(Qt::Key_3, Qt::ControlModifier);
     QVERIFY(looks(0, -1, 0));
+    // A digit that misses its number does not turn the picture.
+    auto* list = this->Window->findChild<QTreeWidget*>("list");
+    this->Window->findChild<QDockWidget*>("light")->raise();
+    QTRY_VERIFY_WITH_TIMEOUT(list->isVisible(), 20000);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_1);
+    QVERIFY(looks(0, -1, 0));
+    this->Window->GetView()->setFocus();
     const double fitted = this->GetCamera()->GetDistance();
     this->GetCamera()->Dolly(3.0);
     this->Press(Qt::Key_R);
@@ -295,6 +305,9 @@ private Q_SLOTS:
     QTest::keyClick(digits, Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(this->Window->GetDocument()->Get() == opened);
     QVERIFY(!undo->isEnabled() && redo->isEnabled());
+    QCOMPARE(undo->text(), QString("&Undo"));
+    QCOMPARE(redo->text(), QString("&Redo: Opacity"));
+    QVERIFY2(redo->toolTip().startsWith("Redo: Opacity ("), qPrintable(redo->toolTip()));
     QCOMPARE(opacity->value(), 100);
     redo->trigger();
     redo->trigger();
@@ -302,7 +315,7 @@ private Q_SLOTS:
     QCOMPARE(CountDifferent(after, this->Grab()), 0);
   }
 
-  // Tab goes around, through the picture and the panel's controls, both ways.
+  // Tab goes around, through the picture and all groups of the panel in front, both ways.
   void tab()
   {
     this->Open({ this->WriteScene(), "--lamps", this->WritePoints() });
@@ -316,6 +329,12 @@ private Q_SLOTS:
       {
         this->Window->GetView()->setFocus();
         QString seen;
+        const auto* dock = this->Window->findChild<QDockWidget*>(name);
+        int folds = 0;
+        for (const auto* fold : dock->findChildren<QToolButton*>("fold"))
+        {
+          folds += fold->isVisible() && fold->isEnabled() ? 1 : 0;
+        }
         QWidget* last = this->Window->GetView();
         int steps = 0;
         do
@@ -325,9 +344,15 @@ private Q_SLOTS:
           QVERIFY2(focus && focus != last && focus->isVisible(),
             qPrintable(QString("%1: %2, stays").arg(name, seen)));
           seen += QString(" ") + focus->metaObject()->className() + ":" + focus->objectName();
+          for (const auto* other : this->Window->findChildren<QDockWidget*>())
+          {
+            QVERIFY2(other == dock || !other->isAncestorOf(focus), qPrintable(seen));
+          }
+          folds -= dock->isAncestorOf(focus) && focus->objectName() == "fold" ? 1 : 0;
           last = focus;
           QVERIFY2(++steps < 200, qPrintable(seen.left(2000)));
         } while (last != this->Window->GetView());
+        QVERIFY2(folds == 0, qPrintable(QString("%1: %2").arg(name, seen)));
       }
     }
   }
@@ -381,6 +406,33 @@ private Q_SLOTS:
       QVERIFY2(dock->isAncestorOf(QApplication::focusWidget()), name);
       this->Press(Qt::Key_0, Qt::AltModifier);
       QVERIFY(this->Window->GetView()->hasFocus());
+    }
+  }
+
+  // The menu View brings a panel to the front, and closes the one in front; in the tabs' order.
+  void panelItems()
+  {
+    this->Open({ this->WriteScene() });
+    auto* item = this->Window->findChild<QAction*>("showLook");
+    QStringList names;
+    for (const QAction* action : qobject_cast<QMenu*>(item->parent())->actions())
+    {
+      names += action->objectName();
+    }
+    const auto first = names.indexOf("showScene");
+    QVERIFY(first > 0 && names[first - 1].isEmpty()); // a separator
+    QCOMPARE(names.mid(first),
+      QStringList(
+        { "showScene", "showLight", "showLook", "showLayers", "showReport", "showComparison" }));
+    auto* look = this->Window->findChild<QDockWidget*>("look");
+    for (int again = 0; again < 2; ++again)
+    {
+      QVERIFY(!item->isChecked()); // behind another tab, then closed
+      item->trigger();
+      QTRY_VERIFY_WITH_TIMEOUT(!look->visibleRegion().isEmpty(), 20000);
+      QVERIFY(item->isChecked());
+      item->trigger();
+      QVERIFY(look->isHidden());
     }
   }
 

@@ -422,7 +422,7 @@ private Q_SLOTS:
     this->Open({ this->WriteScene(), "--light", "sun:2026-06-21T12:00Z,48,0", "--camera",
       "2,-3,3,0,0.5,0,0,1,0" });
     const auto says = [this] { return this->GetGroup()->findChild<QLabel*>("place")->text(); };
-    QVERIFY(says().contains("elevation 65"));
+    QVERIFY(says().contains("Day: the sun is 65"));
     this->Type("time", 0.5);
     const double below =
       -look::GetSunAngles(*look::ParseLight(this->GetLights()[0]).Time).Elevation;

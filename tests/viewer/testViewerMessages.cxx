@@ -231,7 +231,7 @@ private Q_SLOTS:
     this->Open({ this->WriteScene(), "--light", "point:1,3,1.5,size=0.4", "--shadows", "map",
       "--soft-shadows", "4096" });
     auto* words = this->Window->findChild<QLabel*>("smoothing");
-    const QRegularExpression form("^Smoothing (\\d+) of 4096$");
+    const QRegularExpression form("^Refining: (\\d+) of 4096 samples$");
     QTRY_VERIFY_WITH_TIMEOUT(form.match(words->text()).hasMatch(), 20000);
     const int first = form.match(words->text()).captured(1).toInt();
     QTRY_VERIFY_WITH_TIMEOUT(form.match(words->text()).captured(1).toInt() > first, 20000);

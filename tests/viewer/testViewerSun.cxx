@@ -84,7 +84,7 @@ private Q_SLOTS:
   {
     using relievoQt::SunEdit;
     QVERIFY(SunEdit::WritePlace(180.0, -12.34, true).startsWith("Night: the sun is 12.3"));
-    QVERIFY(SunEdit::WritePlace(180.0, 12.34, true).contains("elevation 12.3"));
+    QVERIFY(SunEdit::WritePlace(180.0, 12.34, true).startsWith("Day: the sun is 12.3"));
     QVERIFY(SunEdit::WritePlace(180.0, -12.34, false).contains("from beneath"));
     QVERIFY(SunEdit::WritePlace(180.0, 12.34, false).isEmpty());
   }

@@ -160,6 +160,10 @@ QString AskPlace(QWidget* parent, const QString& title, const QString& suffix, Q
   QFileDialog dialog(parent, title, GetLastFolder(), "*" + suffix);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix(suffix.mid(1));
+  if (const QFileInfo shown(parent->windowFilePath()); !shown.completeBaseName().isEmpty())
+  {
+    dialog.selectFile(shown.completeBaseName() + suffix);
+  }
   if (more)
   {
     dialog.setOption(QFileDialog::DontUseNativeDialog); // native ones take no widgets

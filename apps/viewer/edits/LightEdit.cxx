@@ -139,7 +139,7 @@ void LightEdit::AddPlace()
   this->Cone->setToolTip("Half the opening of its cone");
   relievoQt::AddRow(rows, "Cone", this->Cone);
   this->ConeLabel = qobject_cast<QLabel*>(rows->labelForField(this->Cone));
-  this->PlaceButton = new QPushButton("Place in the picture", this->Where);
+  this->PlaceButton = new QPushButton(this->Where);
   this->PlaceButton->setObjectName("placeInPicture");
   this->PlaceButton->setCheckable(true);
   relievoQt::AddRow(rows, "", this->PlaceButton);
@@ -219,6 +219,7 @@ void LightEdit::SetWord(const std::string& word, Owner owner)
     this->Target->SetValue(light.FocalPoint);
     this->Cone->SetValue(light.ConeAngle);
   }
+  this->PlaceButton->setText(spot ? "Aim in the picture" : "Place in the picture");
   this->PlaceButton->setToolTip(spot
       ? "The next click in the picture sets the target"
       : "The next click in the picture places the light above that surface");

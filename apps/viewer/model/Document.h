@@ -15,6 +15,8 @@
 
 #include <functional>
 #include <optional>
+#include <set>
+#include <string>
 
 namespace viewer
 {
@@ -54,6 +56,10 @@ public:
   void Redo();
   bool CanUndo() const { return this->Past.CanUndo(); }
   bool CanRedo() const { return this->Past.CanRedo(); }
+
+  /// The changes, as Settings::GetChanges names them, that the next undo or redo makes.
+  std::set<std::string> GetUndone() const { return this->Past.GetUndone(this->Now); }
+  std::set<std::string> GetRedone() const { return this->Past.GetRedone(this->Now); }
   void ForgetPast();
 
   ///@}

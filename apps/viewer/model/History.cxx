@@ -58,6 +58,18 @@ std::optional<scene::Settings> History::Redo(const scene::Settings& now)
 }
 
 //------------------------------------------------------------------------------
+std::set<std::string> History::GetUndone(const scene::Settings& now) const
+{
+  return this->Past.empty() ? std::set<std::string>() : this->Past.back().GetChanges(now);
+}
+
+//------------------------------------------------------------------------------
+std::set<std::string> History::GetRedone(const scene::Settings& now) const
+{
+  return this->Future.empty() ? std::set<std::string>() : now.GetChanges(this->Future.back());
+}
+
+//------------------------------------------------------------------------------
 void History::DropUntil(const scene::Settings& settings)
 {
   while (!this->Past.empty() && this->Past.back() == settings)

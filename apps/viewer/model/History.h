@@ -9,6 +9,8 @@
 #include "Settings.h"
 
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace viewer
@@ -33,6 +35,12 @@ public:
 
   bool CanUndo() const { return !this->Past.empty(); }
   bool CanRedo() const { return !this->Future.empty(); }
+
+  ///@{
+  /// The changes that undoing or redoing makes to the present settings.
+  std::set<std::string> GetUndone(const scene::Settings& now) const;
+  std::set<std::string> GetRedone(const scene::Settings& now) const;
+  ///@}
 
 private:
   std::vector<scene::Settings> Past, Future;

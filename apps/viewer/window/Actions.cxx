@@ -6,9 +6,11 @@
 #include "AxisMarker.h"
 #include "HelpMenu.h"
 #include "MainWindow.h"
+#include "OptionNames.h"
 #include "Picture.h"
 #include "PictureView.h"
 #include "Properties.h"
+#include "Readers.h"
 #include "RecentFiles.h"
 #include "SaveDialog.h"
 #include "SceneFacts.h"
@@ -23,16 +25,22 @@
 #include <QClipboard>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QGroupBox>
 #include <QMenuBar>
 #include <QSignalBlocker>
 
 #include <exception>
 #include <functional>
+#include <set>
+#include <string>
 
 namespace viewer
 {
 namespace
 {
+// In the order of their tabs.
+const char* const Panels[] = { "&Scene", "&Light", "L&ook", "La&yers", "&Report", "&Comparison" };
+
 QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySequence& key,
   const QString& name, const std::function<void()>& run)
 {
@@ -101,19 +109,33 @@ std::vector<std::string> ListLayers(MainWindow* window, const relievoQt::LightNa
 }
 
 //------------------------------------------------------------------------------
+// Filters of a file dialog: files that can be opened, first.
+QString GetFilters(bool sessions = true)
+{
+  QString patterns;
+  for (const std::string& extension : reading::GetExtensions())
+  {
+    patterns += QString::fromStdString(" *." + extension);
+  }
+  patterns += sessions ? " *.json" : "";
+  return "Readable files (" + patterns.trimmed() + ");;All files (*)";
+}
+
+//------------------------------------------------------------------------------
 void AddFileMenu(MainWindow* window, RecentFiles* recent)
 {
   QMenu* menu = window->menuBar()->addMenu("&File");
   Add(menu, window, "&Open...", QKeySequence::Open, "open", [window] {
-    const QStringList paths = QFileDialog::getOpenFileNames(window, "Open", GetLastFolder());
+    const QStringList paths =
+      QFileDialog::getOpenFileNames(window, "Open", GetLastFolder(), GetFilters());
     if (!paths.isEmpty())
     {
       window->OpenFiles(paths);
     }
   });
   Add(menu, window, "Open &beside...", QKeySequence("Ctrl+Shift+O"), "openBeside", [window] {
-    const QStringList paths =
-      QFileDialog::getOpenFileNames(window, "Add files to the scene", GetLastFolder());
+    const QStringList paths = QFileDialog::getOpenFileNames(
+      window, "Add files to the scene", GetLastFolder(), GetFilters(false));
     if (!paths.isEmpty())
     {
       window->OpenFiles(paths, true);
@@ -192,6 +214,39 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
 }
 
 //------------------------------------------------------------------------------
+// Names changes of settings by their control or group; other files bring other settings.
+QString NameChanges(const MainWindow* window, const std::set<std::string>& changes)
+{
+  QString name;
+  for (const std::string& change : changes)
+  {
+    const QString word = QString::fromStdString(change).section(':', 0, 0); // option or stage
+    const auto* group = word.isEmpty() ? nullptr : window->findChild<QGroupBox*>(word);
+    const QString label = word.isEmpty() ? "files"
+      : group                            ? group->title()
+                                         : FindOptionName(word).Label;
+    if (label.isEmpty() || (!name.isEmpty() && label != name))
+    {
+      return name == "files" ? name : QString("several settings");
+    }
+    name = label;
+  }
+  return name;
+}
+
+//------------------------------------------------------------------------------
+// Appends the name of the setting that the step changes, in the menu and the tool tip.
+void NameStep(const MainWindow* window, QAction* action, const std::set<std::string>& changes)
+{
+  const QString text = action->text().section(':', 0, 0);
+  const QString plain = QString(text).remove('&');
+  const QString name = NameChanges(window, changes);
+  action->setText(text + (name.isEmpty() ? "" : ": " + QString(name).replace("&", "&&")));
+  action->setToolTip(plain + (name.isEmpty() ? "" : ": " + name) + " (" +
+    action->shortcut().toString(QKeySequence::NativeText) + ")");
+}
+
+//------------------------------------------------------------------------------
 void AddEditMenu(MainWindow* window)
 {
   QMenu* menu = window->menuBar()->addMenu("&Edit");
@@ -212,12 +267,15 @@ void AddEditMenu(MainWindow* window)
     document->Redo();
     keepFocus();
   });
-  const auto follow = [document, undo, redo] {
+  const auto follow = [window, document, undo, redo] {
     undo->setEnabled(document->CanUndo());
     redo->setEnabled(document->CanRedo());
+    NameStep(window, undo, document->GetUndone());
+    NameStep(window, redo, document->GetRedone());
   };
   QObject::connect(document, &Document::pastChanged, undo, follow);
-  follow();
+  undo->setEnabled(false);
+  redo->setEnabled(false);
   NeedPicture(window,
     Add(menu, window, "R&eset settings", QKeySequence(), "resetSettings",
       [document] {
@@ -315,6 +373,20 @@ void AddScaleBar(MainWindow* window, QMenu* menu)
 }
 
 //------------------------------------------------------------------------------
+// Shows or hides a panel; ticked while its tab is in front.
+void AddPanel(QDockWidget* dock, QMenu* menu)
+{
+  QAction* shown = menu->addAction(dock->windowTitle());
+  shown->setObjectName("show" + dock->windowTitle());
+  shown->setCheckable(true);
+  QObject::connect(dock, &QDockWidget::visibilityChanged, shown, &QAction::setChecked);
+  QObject::connect(shown, &QAction::triggered, dock, [dock](bool on) {
+    dock->setVisible(on);
+    on ? dock->raise() : void();
+  });
+}
+
+//------------------------------------------------------------------------------
 // Actions that give the keyboard to the picture, or to the first control of a panel.
 void AddJumps(MainWindow* window, QMenu* menu)
 {
@@ -322,7 +394,7 @@ void AddJumps(MainWindow* window, QMenu* menu)
   Add(jumps, window, "&Picture", QKeySequence("Alt+0"), "jumpToPicture",
     [window] { window->GetView()->setFocus(Qt::TabFocusReason); });
   int number = 0;
-  for (const char* text : { "&Scene", "&Light", "L&ook", "La&yers", "&Report", "&Comparison" })
+  for (const char* text : Panels)
   {
     const QString name = QString(text).remove('&');
     auto* dock = window->findChild<QDockWidget*>(name.toLower());
@@ -386,6 +458,11 @@ void AddViewMenu(MainWindow* window)
         window->GetView()->Draw();
       });
     NeedPicture(window, look)->setToolTip("The whole scene, with the up axis upwards");
+    if (QString(side.Key).size() == 1) // a digit alone, which may be meant for a number
+    {
+      look->setShortcutContext(Qt::WidgetShortcut);
+      window->GetView()->addAction(look);
+    }
     views->addAction(look);
   }
   QAction* parallel = NeedPicture(window, menu->addAction("&Parallel projection"));
@@ -426,9 +503,10 @@ void AddViewMenu(MainWindow* window)
   AddToolBar(window, menu);
   menu->addAction(window->findChild<QAction*>("panels"));
   AddJumps(window, menu);
-  for (QDockWidget* dock : window->findChildren<QDockWidget*>())
+  menu->addSeparator();
+  for (const char* name : Panels)
   {
-    menu->addAction(dock->toggleViewAction());
+    AddPanel(window->findChild<QDockWidget*>(QString(name).toLower().remove('&')), menu);
   }
 }
 }

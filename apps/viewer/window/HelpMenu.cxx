@@ -28,7 +28,8 @@ QString WriteKeysOf(const QMenu* menu, const QString& before)
   QString rows;
   for (const QAction* action : menu->actions())
   {
-    const QString text = before + QString(action->text()).remove('&').remove("...");
+    const QString text =
+      before + QString(action->text()).section(':', 0, 0).remove('&').remove("...");
     if (action->menu())
     {
       rows += WriteKeysOf(action->menu(), text + " ");

@@ -49,6 +49,7 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QSettings>
 #include <QShortcut>
@@ -75,6 +76,22 @@ QDockWidget* AddDock(QMainWindow* window, const QString& title, const QString& n
   dock->setWidget(panel);
   window->addDockWidget(Qt::RightDockWidgetArea, dock);
   return dock;
+}
+
+// Whether Tab stops at a widget: panels behind the tab of another are visible for Qt.
+bool TakesTab(const QWidget* widget, const QWidget* window)
+{
+  if ((widget->focusPolicy() & Qt::TabFocus) == 0 || widget->focusProxy() || !widget->isEnabled() ||
+    !widget->isVisible() || widget->window() != window)
+  {
+    return false;
+  }
+  const QWidget* dock = widget;
+  while (dock != window && !qobject_cast<const QDockWidget*>(dock))
+  {
+    dock = dock->parentWidget();
+  }
+  return !dock->visibleRegion().isEmpty();
 }
 
 bool HaveCommon(const std::vector<std::string>& a, const std::vector<std::string>& b)
@@ -645,6 +662,30 @@ void MainWindow::dropEvent(QDropEvent* event)
 }
 
 //------------------------------------------------------------------------------
+// Tab goes around through the picture and the panels in front. Qt's own chain also holds the
+// panels behind other tabs, and loses controls to whose order it was told.
+bool MainWindow::focusNextPrevChild(bool next)
+{
+  QList<QWidget*> stops;
+  for (QWidget* each : this->findChildren<QWidget*>())
+  {
+    if (TakesTab(each, this))
+    {
+      stops += each;
+    }
+  }
+  if (stops.isEmpty())
+  {
+    return false;
+  }
+  const auto count = stops.size();
+  const auto at = stops.indexOf(this->focusWidget());
+  const auto to = next ? at + 1 : (at < 0 ? count : at) - 1 + count;
+  stops[to % count]->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void MainWindow::closeEvent(QCloseEvent* event)
 {
   if (!this->LetGoOfEdits())
@@ -962,6 +1003,10 @@ QString MainWindow::ShowRead()
       scene::Settings settings = this->Edited->Get();
       settings.TakeChanges(scene::Settings(), this->Place);
       this->Pages->setCurrentWidget(this->Shown);
+      if (!this->focusWidget())
+      {
+        this->Shown->setFocus(); // for its keys
+      }
       this->SetViewSize(this->Place.Get("--size"));
       picture.Show(scene, points, settings, this->KeepCamera);
     }
@@ -982,6 +1027,7 @@ QString MainWindow::ShowRead()
   facts.Files = GetFileFacts(picture, this->Good.Files);
   this->Edited->SetFacts(facts);
   this->setWindowTitle(GetTitle(this->Good.Files));
+  this->setWindowFilePath(QString::fromStdString(this->Good.Files.front())); // names what is saved
   this->OfFile = false;
   this->Mend();
   this->TellMessages();
@@ -1096,7 +1142,8 @@ void MainWindow::TellMessages()
   }
   if (!notes.isEmpty())
   {
-    this->Say(notes.join("; "));
+    static const QRegularExpression night("^--light sun:\\S+: night: ");
+    this->Say(notes.replaceInStrings(night, "Night: ").join("; "));
   }
   if (!warnings.isEmpty() && this->Message->GetText().isEmpty())
   {
@@ -1164,8 +1211,9 @@ void MainWindow::ShowSmoothing()
   }
   this->SamplesLeft = left;
   const bool shown = left > 0 && !this->Saving && this->Smoothed.elapsed() > SmoothPatience;
-  this->Smoothing->setText(
-    shown ? QString("Smoothing %1 of %2").arg(this->Samples - left).arg(this->Samples) : "");
+  this->Smoothing->setText(shown
+      ? QString("Refining: %1 of %2 samples").arg(this->Samples - left).arg(this->Samples)
+      : "");
 }
 
 //------------------------------------------------------------------------------

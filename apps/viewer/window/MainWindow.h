@@ -126,6 +126,7 @@ protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
 
 private:
   void AddPanels();
@@ -166,6 +167,7 @@ private:
   bool Gather(const QString& ifStopped = "Stopped: nothing was saved.");
   vtkSmartPointer<vtkImageData> Draw();
   vtkSmartPointer<vtkImageData> DrawTransparent();
+  void SaySaving();
   void SaySaved(const QString& path);
   void ShowLate();
   void TakeKeys();

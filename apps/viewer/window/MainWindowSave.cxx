@@ -38,6 +38,7 @@
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QScopeGuard>
+#include <QStatusBar>
 
 #include <algorithm>
 
@@ -188,6 +189,14 @@ void MainWindow::ShowLate()
 }
 
 //------------------------------------------------------------------------------
+// At once: the first picture of another size may take long, and nothing is painted meanwhile.
+void MainWindow::SaySaving()
+{
+  this->Say(QString("Saving") + QChar(0x2026));
+  this->statusBar()->repaint();
+}
+
+//------------------------------------------------------------------------------
 void MainWindow::SaySaved(const QString& path)
 {
   this->Mend();
@@ -227,8 +236,7 @@ bool MainWindow::LetGoOfEdits()
   {
     return true;
   }
-  const auto answer = QMessageBox::question(this, "Quit",
-    "Your changes are in no session. Do you want to save them as one?",
+  const auto answer = QMessageBox::question(this, "Quit", "Save changes as a session?",
     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save)
   {
@@ -241,6 +249,7 @@ bool MainWindow::LetGoOfEdits()
 void MainWindow::SavePicture(const PictureChoice& choice)
 {
   this->Shown->GetPicture().CheckShown("Save picture");
+  this->SaySaving();
   const PictureView::OtherSize sized(this->Shown, choice.Size);
   if (const auto picture = choice.Transparent ? this->DrawTransparent() : this->Draw())
   {
@@ -344,6 +353,7 @@ void MainWindow::CopyPicture()
 void MainWindow::SaveLayers(const LayersChoice& choice)
 {
   this->Shown->GetPicture().CheckShown("Save layers");
+  this->SaySaving();
   const PictureView::OtherSize sized(this->Shown, choice.Size);
   const AskedLayers asked(this->Shown->GetPicture(), choice.Layers);
   if (!this->Gather())

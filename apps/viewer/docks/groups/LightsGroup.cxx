@@ -218,7 +218,7 @@ void LightsGroup::AddPresets(std::vector<Row>& rows, bool own) const
     key.IsOn = !own;
     key.CanOwn = true;
     key.Tip = own ? "Off: your own lights are in its place"
-                  : "Lights that you add replace it; editing it makes it your own";
+                  : "This light belongs to the preset. Edit it to make your own copy";
     rows.push_back(key);
     Row fill;
     fill.Name = name + ": fill";
