@@ -6,6 +6,7 @@
 #include "Labels.h"
 #include "LightsGroup.h"
 #include "Number.h"
+#include "OptionNames.h"
 #include "Options.h"
 #include "ParameterEdit.h"
 #include "StageGroup.h"
@@ -38,6 +39,10 @@ LightPanel::LightPanel(Document* document, QWidget* parent)
   for (StageGroup* stage : StageGroup::MakeAll(document, StageGroup::LIGHT, this->widget()))
   {
     this->AddGroup(stage);
+    if (stage->objectName() == "lamps")
+    {
+      stage->setTitle(FindOptionName("--lamps").Label);
+    }
   }
   this->AddOptions("Light");
   QObject::connect(document, &Document::changed, this, [this] { this->ShowSettings(); });

@@ -24,6 +24,10 @@ const vtkRelievoOption* FindShown(const QString& name)
 OptionName FindOptionName(const QString& option)
 {
   const vtkRelievoOption* shown = FindShown(option);
+  if (shown && option == "--lamps") // beside the lights of the list
+  {
+    return { "Lamps from data", QString::fromStdString(shown->Panel) };
+  }
   return shown
     ? OptionName{ QString::fromStdString(shown->Label), QString::fromStdString(shown->Panel) }
     : OptionName();
