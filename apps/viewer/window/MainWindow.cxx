@@ -295,7 +295,6 @@ void MainWindow::AddStatus()
   this->Smoothing = new QLabel(this);
   this->Smoothing->setObjectName("smoothing");
   this->Smoothing->setToolTip("Soft shadows and smooth edges are gathered while nothing moves");
-  this->Smoothing->setForegroundRole(QPalette::PlaceholderText);
   this->Bar = new QProgressBar(this);
   this->Bar->setMaximumWidth(200);
   this->Cancel = new QPushButton("Cancel", this);
