@@ -288,7 +288,7 @@ void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const 
 // OKLab's lightness by k^0.8 at least: with the least light of a preset's fill, 0.7 of it remains.
 void KeepReadable(vtkActor* actor)
 {
-  constexpr double unlit = 0.62;
+  constexpr double unlit = 0.57;
   vtkMapper* mapper = actor->GetMapper();
   vtkProperty* property = actor->GetProperty();
   if (mapper->GetScalarVisibility() && mapper->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS)

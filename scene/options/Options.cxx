@@ -521,7 +521,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   light.Words = { "sun:", "spot:", "point:" };
   rows
     .AddNumber("--fill", "F",
-      "strength of a preset's weak suns, which light the areas that its first light, or "
+      "strength of a preset's fill lights, which light the areas that its first light, or "
       "--light, leaves dark, @bounds@ (1; 0.4 with --light)",
       { 0.0, 1.0 }, [](RenderOptions& options, double fill) { options.Fill = fill; })
     .NamedIn("Light", "Fill");
@@ -721,8 +721,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   vtkRelievoOption& deferred =
     rows
       .Add("--deferred", "",
-        "shades opaque surfaces once per pixel, after they are drawn: the same picture, "
-        "faster if many surfaces overlap",
+        "shades opaque surfaces once per pixel, after they are drawn: the same picture, but "
+        "for fill lights, faster if many surfaces overlap",
         [](RenderOptions& options, const std::string&) {
           AddStage(options.Stages, "deferred", "--deferred");
         })

@@ -10,6 +10,10 @@
 #include "ShadowOptions.h"
 #include "Values.h"
 
+#include <vtkNew.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoStage.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
@@ -41,13 +45,13 @@ const std::vector<Preset>& GetPresets()
 {
   static const std::vector<Preset> presets = {
     // A large lamp at the left in front of a light wall.
-    { "studio", { -0.65, 0.9, 0.6 }, { 0.34, 0.33, 0.315 }, 6.0, { 0.60, 0.61, 0.625 },
+    { "studio", { -0.65, 0.9, 0.6 }, { 0.30, 0.29, 0.275 }, 6.0, { 0.53, 0.54, 0.55 },
       { { 0.80, 0.82, 0.85 }, { 0.95, 0.96, 0.97 } }, Preset::Indoors },
     // An afternoon sun, and the sky, which is bluer.
-    { "town", { -0.75, 0.6, 0.45 }, { 0.365, 0.325, 0.255 }, 0.53, { 0.565, 0.605, 0.665 },
+    { "town", { -0.75, 0.6, 0.45 }, { 0.32, 0.285, 0.225 }, 0.53, { 0.495, 0.53, 0.585 },
       { { 0.86, 0.90, 0.94 }, { 0.45, 0.64, 0.87 } }, Preset::Outdoors },
     // On white paper, without shadows.
-    { "print", { -0.4, 0.6, 1.0 }, { 0.33, 0.33, 0.33 }, -1.0, { 0.61, 0.61, 0.61 },
+    { "print", { -0.4, 0.6, 1.0 }, { 0.29, 0.29, 0.29 }, -1.0, { 0.54, 0.54, 0.54 },
       { { 1.0, 1.0, 1.0 } }, Preset::Always },
   };
   return presets;
@@ -87,7 +91,7 @@ LightChoice MakeSun(const std::array<double, 3>& towards, const Color& color, co
 
 // Lights given by --light replace the first one, and the fill is weaker: a white surface in one of
 // them is then not brighter than white.
-constexpr double ShareOfOthers = 0.75;
+constexpr double ShareOfOthers = 0.78;
 constexpr double ShareOfFill = 0.4;
 
 void AddSuns(RenderOptions& options, const Preset& preset, bool others)
@@ -131,6 +135,26 @@ void AddMoon(RenderOptions& options, const Preset& preset)
     moon.Casts = true;
     options.Lights.push_back(moon);
   }
+}
+
+bool IsRequested(const std::vector<StageChoice>& stages, const std::string& name)
+{
+  return std::any_of(
+    stages.begin(), stages.end(), [&name](const StageChoice& stage) { return stage.Name == name; });
+}
+
+// Whether the stage `ambient` is on, and darkens more than the ground.
+bool DarkensSurfaces(const std::vector<StageChoice>& stages)
+{
+  if (!IsRequested(stages, "ambient"))
+  {
+    return false;
+  }
+  vtkNew<vtkRelievoPass> pass;
+  SetStages(pass, stages);
+  vtkRelievoStage* ambient = pass->GetStage("ambient");
+  return ambient->GetEnabled() && ambient->GetParameter("only_catchers") != "on" &&
+    ambient->GetParameter("strength") != "0";
 }
 
 // Applies if no option sets shadows; layers and verdicts use point lights.
@@ -294,11 +318,8 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   if (lights)
   {
     options.Look.IsReadable = options.ShadingKind != Shading::PBR;
-    const auto is = [&options](const char* name) {
-      return std::any_of(options.Stages.begin(), options.Stages.end(),
-        [name](const StageChoice& stage) { return stage.Name == name; });
-    };
-    if (is("ambient") && !is("fill")) // which darkens these lights, too
+    // Ambient occlusion by rays darkens the fill lights, too.
+    if (DarkensSurfaces(options.Stages) && !IsRequested(options.Stages, "fill"))
     {
       AddStage(options.Stages, "fill", "--preset").Parameters.emplace_back("occlusion", "0");
     }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // vtkRelievoFillStage: a sphere against the closed form of its lights' nine coefficients, without
-// edges; ambient occlusion on walls, on a ball above the ground and on a convex body; other lights
-// as VTK draws them.
+// edges; ambient occlusion on walls, on balls above the ground and on a convex body; other lights
+// as VTK draws them; lights that follow the camera; the grid of the sky.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
@@ -12,16 +12,21 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoFillLight.h>
 #include <vtkRelievoFillStage.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoPlacedMesh.h>
 #include <vtkRelievoShadowCatcher.h>
+#include <vtkRelievoSkyGrid.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
@@ -30,7 +35,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -299,6 +306,126 @@ void TestGround()
     RELIEVO_CHECK_NEAR(GetMean(picture, 100, 150), 0.6, 0.03, "the upper side of a ball");
   }
   RELIEVO_CHECK(foot[1] < foot[0] - 0.05);
+
+  // High above the ground a ball sees all of its surroundings.
+  Scene scene(1.0);
+  scene.Look({ 0.0, -5.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  scene.AddBall();
+  vtkActor* ground = scene.AddPlate({ -3.0, -3.0, -4.0 }, { 3.0, -3.0, -4.0 }, { -3.0, 3.0, -4.0 });
+  ground->ForceTranslucentOn();
+  vtkRelievoShadowCatcher::Make(ground);
+  scene.AddAround(0.6);
+  const auto picture = scene.Picture();
+  for (const int y : { 40, 100, 150, 180 })
+  {
+    RELIEVO_CHECK_NEAR(GetMean(picture, 100, y), 0.6, 0.04, "a raised ball");
+  }
+}
+
+// Lights that follow the camera are where they belong in the first picture after it has moved.
+void TestCamera()
+{
+  std::vector<vtkSmartPointer<vtkImageData>> pictures;
+  for (const bool turns : { false, true })
+  {
+    Scene scene(0.0);
+    scene.AddBall();
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(1.0, 0.0, 1.0);
+    const vtkMTimeType before = light->GetMTime();
+    vtkRelievoFillLight::Make(light);
+    RELIEVO_CHECK(light->GetMTime() > before); // samples of the scene are collected anew
+    scene.Renderer->AddLight(light);
+    if (turns)
+    {
+      scene.Picture();
+    }
+    scene.Look({ 5.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    pictures.push_back(scene.Picture());
+  }
+  RELIEVO_CHECK(GetMean(pictures[0], 150, 100) > GetMean(pictures[0], 50, 100) + 0.2);
+  RELIEVO_CHECK(std::memcmp(pictures[0]->GetScalarPointer(), pictures[1]->GetScalarPointer(),
+                  3 * static_cast<std::size_t>(Size) * Size) == 0);
+}
+
+void TestLightWithoutDirection()
+{
+  Scene scene(0.0);
+  scene.AddBall();
+  scene.AddAround(0.6);
+  scene.AddLight({ 0.0, 0.0, 0.0 }, 1.0, true);
+  RELIEVO_CHECK_NEAR(GetMean(scene.Picture(), 100, 100), 0.6, 0.01, "beside it");
+}
+
+vtkSmartPointer<vtkPolyData> MakeSheet(int resolution, double height)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(resolution, resolution);
+  plane->SetCenter(0.0, 0.0, height);
+  plane->Update();
+  return plane->GetOutput();
+}
+
+vtkRelievoPlacedMesh PlaceMesh(vtkPolyData* mesh)
+{
+  vtkRelievoPlacedMesh placed;
+  placed.Mesh = mesh;
+  return placed;
+}
+
+void TestGrid()
+{
+  const auto sheet = MakeSheet(10, 1.0);
+  const vtkRelievoSkyGrid::Ground ground{ 2, true, 0.0 };
+  vtkRelievoSkyGrid grid;
+  RELIEVO_CHECK(grid.Update({ PlaceMesh(sheet) }, ground));
+  const std::vector<std::uint8_t> texels = grid.GetTexels();
+
+  // Colours do not change it; points, and the places of glyphs, do.
+  vtkNew<vtkFloatArray> colors;
+  colors->SetNumberOfTuples(sheet->GetNumberOfPoints());
+  colors->FillValue(1.F);
+  sheet->GetPointData()->SetScalars(colors);
+  RELIEVO_CHECK(!grid.Update({ PlaceMesh(sheet) }, ground));
+  sheet->GetPoints()->Modified();
+  RELIEVO_CHECK(grid.Update({ PlaceMesh(sheet) }, ground));
+  vtkRelievoPlacedMesh glyphs = PlaceMesh(sheet);
+  glyphs.Places = std::make_shared<std::vector<glm::dmat4>>(1, glm::dmat4(1.0));
+  RELIEVO_CHECK(grid.Update({ glyphs }, ground));
+  RELIEVO_CHECK(grid.GetTexels() == texels);
+
+  // Nothing below the ground hides the sky, and no point outside of polygons does.
+  const auto below = MakeSheet(10, -0.5);
+  grid.Update({ PlaceMesh(sheet), PlaceMesh(below) }, ground);
+  RELIEVO_CHECK(grid.GetTexels() == texels);
+  sheet->GetPoints()->InsertNextPoint(0.0, 0.0, 0.5);
+  sheet->GetPoints()->Modified();
+  grid.Update({ PlaceMesh(sheet) }, ground);
+  RELIEVO_CHECK(grid.GetTexels() == texels);
+
+  // Of more polygons than 4 million some are left out, and are not missing.
+  std::vector<std::vector<std::uint8_t>> all;
+  for (const int resolution : { 101, 301 })
+  {
+    const auto fine = MakeSheet(resolution, 0.0);
+    vtkRelievoPlacedMesh many = PlaceMesh(fine);
+    auto places = std::make_shared<std::vector<glm::dmat4>>(48, glm::dmat4(1.0));
+    for (std::size_t i = 0; i < places->size(); ++i)
+    {
+      (*places)[i][3][2] = 0.1 + 0.3 * static_cast<double>(i % 4);
+    }
+    many.Places = places;
+    grid.Update({ many }, ground);
+    all.push_back(grid.GetTexels());
+  }
+  RELIEVO_CHECK(all[0].size() == all[1].size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < std::min(all[0].size(), all[1].size()); ++i)
+  {
+    sum += std::abs(all[0][i] - all[1][i]);
+  }
+  RELIEVO_CHECK(sum < 0.5 * static_cast<double>(all[0].size()));
 }
 }
 
@@ -309,6 +436,9 @@ RELIEVO_TEST_CASE(testFillStage)
   TestSeams();
   TestOcclusion();
   TestGround();
+  TestCamera();
+  TestLightWithoutDirection();
+  TestGrid();
   return session.Result();
 }
 }

@@ -66,7 +66,7 @@ def on_the_command_line(run, build, folder):
     assert "--sky-rays: got '0', expected" in wrong, wrong
 
 
-PYTHON = """
+PYTHON = r"""
 import sys
 
 import relievo

@@ -8,6 +8,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
+#include "vtkRelievoAccess.h"
 #include "vtkRelievoDeclaration.h"
 #include "vtkRelievoFillLight.h"
 #include "vtkRelievoFillSplice.h"
@@ -184,6 +185,7 @@ bool vtkRelievoFillStage::Prepare(vtkRelievoFrameContext& context)
     this->Explain("idle", "another stage adds the lights, these included");
     return false;
   }
+  vtkRelievoAccess::Renderer::FollowCamera(context.Renderer);
   std::vector<glm::dvec3> towards;
   std::vector<glm::dvec3> colors;
   vtkRelievoFillSplice::Structure structure;
@@ -194,10 +196,14 @@ bool vtkRelievoFillStage::Prepare(vtkRelievoFrameContext& context)
     light.Light->GetTransformedPosition(from);
     light.Light->GetTransformedFocalPoint(to);
     const glm::dvec3 direction(from[0] - to[0], from[1] - to[1], from[2] - to[2]);
+    structure.Lights.push_back(light.ShaderIndex);
+    if (!(glm::length(direction) > 0.0))
+    {
+      continue; // it shines nowhere
+    }
     const double* color = light.Light->GetDiffuseColor();
     towards.push_back(glm::normalize(glm::dmat3(context.View.WorldToView) * direction));
     colors.push_back(light.Light->GetIntensity() * glm::dvec3(color[0], color[1], color[2]));
-    structure.Lights.push_back(light.ShaderIndex);
   }
   in.Coefficients = vtkRelievoFillLight::GetCoefficients(towards, colors);
 
@@ -224,12 +230,16 @@ bool vtkRelievoFillStage::Prepare(vtkRelievoFrameContext& context)
   in.Splice->Begin(context.Window, props, structure,
     [this, &in, view = context.View, sky = structure.Sky](
       vtkShaderProgram* program) { in.Tell(program, view, sky, this->Occlusion); });
+  const int leftOut = structure.Sky ? in.Meshes.GetNumberOfPropsLeftOut() : 0;
   this->Explain("ran",
-    std::to_string(towards.size()) + " lights by nine coefficients" +
+    std::to_string(structure.Lights.size()) + " lights by nine coefficients" +
       (structure.Sky ? ", with ambient occlusion"
           : context.Controller && this->Occlusion > 0.0
           ? ", without ambient occlusion, since several processes draw the scene"
-          : ""));
+          : "") +
+      (leftOut > 0 ? "; " + std::to_string(leftOut) +
+            (leftOut == 1 ? " prop hides" : " props hide") + " no sky"
+                   : ""));
   return true;
 }
 

@@ -4,8 +4,12 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -59,8 +63,10 @@ bool vtkRelievoSkyGrid::Update(
   std::vector<Part> parts;
   for (const vtkRelievoPlacedMesh& mesh : meshes)
   {
-    parts.push_back({ mesh.Mesh, mesh.Mesh->GetMTime(), mesh.MeshToWorld, mesh.GetNumberOfPlaces(),
-      mesh.Places.get() });
+    vtkPoints* points = mesh.Mesh->GetPoints();
+    parts.push_back({ { points ? points->GetMTime() : 0, mesh.Mesh->GetPolys()->GetMTime(),
+                        mesh.Mesh->GetStrips()->GetMTime() },
+      mesh.MeshToWorld, mesh.Places });
   }
   if (parts == this->Parts && ground == this->Below)
   {
@@ -99,6 +105,12 @@ bool vtkRelievoSkyGrid::Fit(const std::vector<vtkRelievoPlacedMesh>& meshes, con
       }
     }
   }
+  if (ground.Axis >= 0) // from the plane to the meshes
+  {
+    (ground.Above ? low : high)[ground.Axis] = ground.Height;
+    double& other = (ground.Above ? high : low)[ground.Axis];
+    other = ground.Above ? std::max(other, ground.Height) : std::min(other, ground.Height);
+  }
   const glm::dvec3 sides = high - low;
   this->Cell = std::max({ sides.x, sides.y, sides.z }) / Cells;
   if (!(this->Cell > 0.0) || !std::isfinite(this->Cell))
@@ -120,18 +132,22 @@ bool vtkRelievoSkyGrid::Fit(const std::vector<vtkRelievoPlacedMesh>& meshes, con
 //------------------------------------------------------------------------------
 void vtkRelievoSkyGrid::Add(const glm::vec3& place)
 {
-  const glm::ivec3 at = glm::clamp(glm::ivec3(place), glm::ivec3(0), this->Size - 1);
-  this->Occupied[this->GetIndex(at.x, at.y, at.z)] = 1;
+  constexpr float rounding = 0.01F;
+  if (glm::all(glm::greaterThan(place, glm::vec3(-rounding))) &&
+    glm::all(glm::lessThan(place, glm::vec3(this->Size) + rounding)))
+  {
+    const glm::ivec3 at = glm::min(glm::ivec3(place), this->Size - 1);
+    this->Occupied[this->GetIndex(at.x, at.y, at.z)] = 1;
+  }
 }
 
 //------------------------------------------------------------------------------
-// The corners have been added.
 void vtkRelievoSkyGrid::AddTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 {
   const glm::vec3 sides = glm::max(glm::max(a, b), c) - glm::min(glm::min(a, b), c);
-  const int steps = static_cast<int>(
-    std::min(3.F * Cells, std::ceil(1.5F * std::max({ sides.x, sides.y, sides.z }))));
-  for (int i = 0; steps > 1 && i <= steps; ++i)
+  const float longest = std::max({ sides.x, sides.y, sides.z });
+  const int steps = static_cast<int>(std::clamp(std::ceil(1.5F * longest), 1.F, 3.F * Cells));
+  for (int i = 0; i <= steps; ++i)
   {
     for (int j = 0; i + j <= steps; ++j)
     {
@@ -154,42 +170,44 @@ void vtkRelievoSkyGrid::Occupy(const std::vector<vtkRelievoPlacedMesh>& meshes)
       static_cast<double>(mesh.GetNumberOfPlaces());
   }
   const auto stride = static_cast<vtkIdType>(std::ceil(std::max(1.0, triangles / MostTriangles)));
-  vtkIdType number = 0;
-  std::vector<glm::vec3> points; // in cells
+  const glm::dmat4 toCells =
+    glm::translate(glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / this->Cell)), -this->Origin);
+  vtkIdType number = 0; // of the next one to visit, in the present array
   for (const vtkRelievoPlacedMesh& mesh : meshes)
   {
-    points.resize(static_cast<std::size_t>(mesh.Mesh->GetNumberOfPoints()));
     for (std::size_t place = 0; place < mesh.GetNumberOfPlaces(); ++place)
     {
-      const glm::dmat4 toWorld = mesh.GetPlace(place);
-      for (std::size_t i = 0; i < points.size(); ++i)
-      {
+      const glm::dmat4 meshToCells = toCells * mesh.GetPlace(place);
+      const auto find = [&](vtkIdType id) {
         double point[3];
-        mesh.Mesh->GetPoint(static_cast<vtkIdType>(i), point);
-        const glm::dvec3 at(toWorld * glm::dvec4(point[0], point[1], point[2], 1.0));
-        points[i] = glm::vec3((at - this->Origin) / this->Cell);
-        this->Add(points[i]);
-      }
+        mesh.Mesh->GetPoint(id, point);
+        return glm::vec3(meshToCells * glm::dvec4(point[0], point[1], point[2], 1.0));
+      };
       for (const bool strips : { false, true })
       {
-        const auto cells = vtk::TakeSmartPointer(
-          (strips ? mesh.Mesh->GetStrips() : mesh.Mesh->GetPolys())->NewIterator());
-        vtkIdType size = 0;
-        const vtkIdType* ids = nullptr;
-        for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell(), ++number)
+        vtkCellArray* array = strips ? mesh.Mesh->GetStrips() : mesh.Mesh->GetPolys();
+        const auto cells = vtk::TakeSmartPointer(array->NewIterator());
+        for (; number < array->GetNumberOfCells(); number += stride)
         {
-          if (number % stride != 0)
+          cells->GoToCell(number);
+          vtkIdType size = 0;
+          const vtkIdType* ids = nullptr;
+          cells->GetCurrentCell(size, ids);
+          if (size < 3)
           {
             continue;
           }
-          cells->GetCurrentCell(size, ids);
+          glm::vec3 first = find(ids[0]);
+          glm::vec3 second = find(ids[1]);
           for (vtkIdType i = 2; i < size; ++i)
           {
-            this->AddTriangle(points[static_cast<std::size_t>(ids[strips ? i - 2 : 0])],
-              points[static_cast<std::size_t>(ids[i - 1])],
-              points[static_cast<std::size_t>(ids[i])]);
+            const glm::vec3 third = find(ids[i]);
+            this->AddTriangle(first, second, third);
+            first = strips ? second : first;
+            second = third;
           }
         }
+        number -= array->GetNumberOfCells();
       }
     }
   }

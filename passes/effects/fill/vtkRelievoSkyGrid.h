@@ -11,7 +11,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 class VTKRELIEVOEFFECTS_EXPORT vtkRelievoSkyGrid
@@ -48,16 +50,14 @@ public:
 private:
   struct Part
   {
-    const void* Mesh;
-    vtkMTimeType Time;
+    std::array<vtkMTimeType, 3> Times; // of points, polygons and strips: no two objects share one
     glm::dmat4 Place;
-    std::size_t Places;
-    const void* PlacesList;
+    std::shared_ptr<const std::vector<glm::dmat4>> Places;
 
     bool operator==(const Part& other) const
     {
-      return this->Mesh == other.Mesh && this->Time == other.Time && this->Place == other.Place &&
-        this->Places == other.Places && this->PlacesList == other.PlacesList;
+      return this->Times == other.Times && this->Place == other.Place &&
+        this->Places == other.Places;
     }
   };
 

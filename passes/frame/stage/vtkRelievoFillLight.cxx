@@ -26,6 +26,7 @@ void vtkRelievoFillLight::Make(vtkLight* light)
     light->SetInformation(made);
   }
   light->GetInformation()->Set(GetFillKey(), 1);
+  light->Modified(); // keys do not change its time
 }
 
 //------------------------------------------------------------------------------
