@@ -6,6 +6,7 @@
 #include "vtkProp.h"
 #include "vtkRelievoFrameScene.h"
 #include "vtkRelievoPropMeshes.h"
+#include "vtkRelievoShadowCatcher.h"
 
 #include <algorithm>
 
@@ -36,7 +37,7 @@ std::vector<vtkRelievoPlacedMesh> vtkRelievoOpaqueMeshes::Find(vtkRenderer* rend
     if (!vtkRelievoPropMeshes::Collect(prop.Prop, vtkRelievoPropMeshes::Wanted::Opaque,
           this->Glyphs, meshes, &this->TooManyTriangles))
     {
-      ++this->LeftOut;
+      this->LeftOut += vtkRelievoShadowCatcher::Is(prop.Prop) ? 0 : 1; // which is never opaque
     }
   }
   return meshes;

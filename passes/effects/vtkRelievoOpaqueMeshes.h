@@ -18,7 +18,7 @@ public:
   // The present meshes: their positions and points are valid until a pipeline changes.
   std::vector<vtkRelievoPlacedMesh> Find(vtkRenderer* renderer);
 
-  // Number of props whose meshes Find could not read as triangles.
+  // Number of props, but for shadow catchers, whose meshes Find could not read as triangles.
   int GetNumberOfPropsLeftOut() const { return this->LeftOut; }
 
   // Number of triangles of a mesh that was left out for its size; 0 if there is none.

@@ -127,6 +127,15 @@ class Studio(CliTest):
         (foot, top), (foot_off, top_off) = shades
         self.assertLess(foot, top - 3)
         self.assertLess(abs(foot_off - top_off), 2)
+        # Rays that darken nothing do not switch it off.
+        self.box("slab.obj", (-2, -0.2, -2), (2, 0, 2))
+        pictures = []
+        for stage in ("fill", "ambient:enabled=on,strength=0", "fill:occlusion=0"):
+            self.relievo("render", "pole.obj", "slab.obj", "--shadows", "off", "--ground", "off",
+                         "--stage", stage, *SMALL, "--png", "a.png")  # fmt: skip
+            pictures.append(read_png(self.folder / "a.png"))
+        numpy.testing.assert_array_equal(pictures[0], pictures[1])
+        self.assertGreater(abs(pictures[0].astype(int) - pictures[2]).max(), 3)
 
     def test_values_are_readable(self):
         """Light leaves the hue of values' colours and 0.7 of their lightness, from all sides."""

@@ -320,6 +320,13 @@ void TestGround()
   {
     RELIEVO_CHECK_NEAR(GetMean(picture, 100, y), 0.6, 0.04, "a raised ball");
   }
+  const auto tells = [&scene](const char* words) {
+    return scene.Stage->GetReason().find(words) != std::string::npos;
+  };
+  RELIEVO_CHECK(tells("with ambient occlusion") && !tells("no sky"));
+  scene.AddBall(0.5)->GetProperty()->SetRepresentationToWireframe();
+  scene.Picture();
+  RELIEVO_CHECK(tells("; 1 prop hides no sky"));
 }
 
 // Lights that follow the camera are where they belong in the first picture after it has moved.
