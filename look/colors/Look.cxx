@@ -285,8 +285,8 @@ void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const 
 // Values can be read from their colours on a bar only if light changes lightness a little and no
 // highlight adds white: D. A. Szafir, A. Sarikaya, M. Gleicher, Lightness constancy in surface
 // visualization, IEEE TVCG 22(9), 2016. Scaling a display's colour by k keeps its hue and scales
-// OKLab's lightness by k^0.8 at least: with a preset's fill alone 0.8 of it
-// remains, and 0.68 where no sky is visible.
+// OKLab's lightness by k^0.8 at least: with a preset's fill alone 0.8 of it remains, and 0.71 where
+// no sky is visible.
 void KeepReadable(vtkActor* actor)
 {
   constexpr double unlit = 0.57;

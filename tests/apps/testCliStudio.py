@@ -117,7 +117,7 @@ class Studio(CliTest):
         where the fill's occlusion is off."""
         self.box("pole.obj", (-0.5, 0, -0.5), (0.5, 5, 0.5))
         shades = []
-        for words in ([], ["--stage", "fill:occlusion=0"]):
+        for words in (["--stage", "fill:occlusion=1"], ["--stage", "fill:occlusion=0"]):
             picture = self.picture(
                 "pole.obj", "--camera", "20,2.5,0,0,2.5,0,0,1,0", "--parallel-scale", 3,
                 "--up", "y", "--light", "sun:-1,0.5,0", "--fill", 1, "--shadows", "off",

@@ -26,7 +26,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Share of the fill lights removed where no sky is visible, 0 to 1. Default 0.8. */
+  /** Share of the fill lights removed where no sky is visible, 0 to 1. Default 0.6. */
   vtkSetClampMacro(Occlusion, double, 0.0, 1.0);
   vtkGetMacro(Occlusion, double);
   ///@}
@@ -44,7 +44,7 @@ protected:
   bool Prepare(vtkRelievoFrameContext& context) override;
   void Finish(vtkRelievoFrameContext& context) override;
 
-  double Occlusion = 0.8;
+  double Occlusion = 0.6;
 
 private:
   vtkRelievoFillStage(const vtkRelievoFillStage&) = delete;
