@@ -2,9 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Bodies at rest on a plane, at random, without overlap."""
 
-from collections.abc import Sequence
-from typing import Any
-
 import numpy
 
 from .._arguments.errors import describe, is_a
@@ -195,8 +192,7 @@ def _any_turn(random):
     ])  # fmt: skip
 
 
-def scatter(actors: Sequence[Any], random: Any, area: Any, *, up: str = "y", height: float = 0.0,
-            fixed: Sequence[Any] = (), tries: int = 200) -> numpy.ndarray:
+def scatter(actors, random, area, up="y", height=0.0, fixed=(), tries=200) -> numpy.ndarray:
     """Places bodies on a plane at random: each rests on it, and none overlap.
 
         relievo.scatter(mugs, numpy.random.default_rng(7), ((-0.3, 0.3), (-0.2, 0.2)))
