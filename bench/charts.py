@@ -272,8 +272,6 @@ def scale(rows):
             "Ring: the default preset. Grey: others.",
             Axis("count", True), unit,
             panels(shown, "size", column, panel="series",
-                   method=lambda row: "Relievo, visible" if row["method"] == "Relievo"
-                   else row["method"],
                    default=lambda row: row["method"] == "Relievo, studio"),
             columns=2, own_x=True)  # fmt: skip
 

@@ -323,9 +323,9 @@ def commands(given, pythons, case, picture):
     drawn = case.command != "visible"
     option = OUTPUTS[pathlib.Path(picture).suffix]
     for build, end in ((given.relievo, ""), (given.against, ", the other build")):
-        for preset in (given.presets.split(",") if drawn else [""]) if build else ():
+        for preset in (given.presets.split(",") if drawn else [case.command]) if build else ():
             look = ("--preset", preset) if drawn else ()
-            found[f"Relievo{', ' * drawn}{preset}{end}"] = [
+            found[f"Relievo, {preset}{end}"] = [
                 build, case.command, str(case.file), *look, "--size", window, *case.relievo,
                 option, picture]  # fmt: skip
     names = {"f3d": "F3D", "vtk": "VTK", "vtk normals": "VTK, normals"}

@@ -131,8 +131,8 @@ class Scale(unittest.TestCase):
                 self.assertEqual(len(grown), 2)
                 for row, size in zip(grown, scale.SERIES[name].small, strict=True):
                     self.assertAlmostEqual(int(row["size"]), size, delta=0.02 * size)
-                    look = "" if name in ("sights", "cameras") else ", none"
-                    self.assertEqual(row["method"], f"Relievo{look}")
+                    look = "visible" if name in ("sights", "cameras") else "none"
+                    self.assertEqual(row["method"], f"Relievo, {look}")
         for column, names in (
             ("exponent", ("meshes", "blocks", "objects", "points", "pictures")),
             ("MiB exponent", ("meshes", "points", "pictures")),
