@@ -294,7 +294,7 @@ class Sight(CliTest):
             *((["sun", "ground.off", *out, *SUN, "--part", part], ["--part", expected])
               for part, expected in (("3", "K/N"), ("0/2", "from 1 to 2"), ("3/2", "from 1 to 2"),
                                      ("slurm", "SLURM_ARRAY_TASK_ID"))),
-            (["merge", "nothing"], "nothing: has neither dataset.json nor parts.json"),
+            (["merge", "nothing"], "nothing: has neither dataset.json, frames.json nor parts.json"),
             (["verify"], "verify: got 0 folders, expected one"),
         ):  # fmt: skip
             with self.subTest(words=words):
