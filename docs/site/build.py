@@ -55,6 +55,7 @@ CARDS = {
     "passes/Blend": "pictures/soft_borders.png",
     "passes/Deferred": "charts/deferred.svg",
     "passes/EmptySpace": "pictures/smoke.png",
+    "passes/Fill": "pictures/viewer.png",
     "passes/Tone": "site/static/pairs/tone-on.png",
     "python": "pictures/scale-bar.png",
     "shadow-matrix": "site/static/pairs/colored-on.png",
