@@ -112,7 +112,9 @@ void TimeBar::Step()
   const double length = times[1] - times[0];
   if (length > 0.0)
   {
-    const double along = this->GetTime() - times[0] + this->Clock.restart() / 1000.0;
+    // At least a millisecond: an equal time would change nothing, and no picture calls again.
+    const double passed = static_cast<double>(std::max<qint64>(this->Clock.restart(), 1)) / 1000.0;
+    const double along = this->GetTime() - times[0] + passed;
     this->SetTime(times[0] + std::fmod(std::max(along, 0.0), length));
   }
 }
