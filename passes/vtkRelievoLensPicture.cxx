@@ -421,7 +421,7 @@ bool vtkRelievoLensPicture::IsMetered()
 }
 
 //------------------------------------------------------------------------------
-// As the stage `tone` has it: a gradient is opaque.
+// A gradient is opaque, as for the stage `tone`.
 bool vtkRelievoLensPicture::IsDrawn(float alpha, float depth)
 {
   return std::isfinite(depth) || (!this->Gradient && alpha > this->Renderer->GetBackgroundAlpha());

@@ -194,7 +194,7 @@ std::string vtkRelievoLightMaps::MakeShade(vtkOpenGLRenderWindow* window, const 
                               : std::tan(half));
   }
   this->Work.Shade.SetSpreads(spreads);
-  // Other processes may have what receives.
+  // Other processes may have receivers.
   const bool receives = asked || !this->Work.Props.GetReceiverBoxes().empty();
   const bool nowhere =
     this->Schedule.Exchange.IsOn() ? this->Schedule.Exchange.IsEverywhere(!receives) : !receives;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The volumes of processes that each hold a part of the scene: the light that passes all of them is
-// the product of what each lets pass, so their optical depths add. All functions but IsOn are
-// collective: every process calls them in the same order. In one process they change nothing.
+// The volumes of processes that each hold a part of the scene. Their transmittances multiply, so
+// their optical depths add. All functions but IsOn are collective: every process calls them in the
+// same order. In one process they change nothing.
 #ifndef vtkRelievoVolumeExchange_h
 #define vtkRelievoVolumeExchange_h
 

@@ -27,7 +27,7 @@ bool IsSequence(const RenderOptions& options);
 void CheckSequence(const RenderOptions& options, const std::set<std::string>& given);
 
 /// Throws UsageError for outputs of which no frame can be drawn without the frames before it.
-/// `option`: what asks for frames alone.
+/// `option`: the one that asks for frames alone.
 void CheckFramesAlone(const RenderOptions& options, const std::string& option);
 
 /// The file name of a frame: %d or %04d becomes its number. "" for a name with no or several such

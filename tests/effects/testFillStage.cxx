@@ -89,7 +89,7 @@ struct Scene
     this->Renderer->AddLight(light);
   }
 
-  // As in the presets: the corners of a regular tetrahedron.
+  // The presets' lights: the corners of a regular tetrahedron.
   void AddAround(double intensity)
   {
     for (const glm::dvec3& towards : { glm::dvec3(1.0, 1.0, 1.0), glm::dvec3(1.0, -1.0, -1.0),

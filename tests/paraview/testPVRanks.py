@@ -59,7 +59,7 @@ class Ranks(pv.Test):
         self.check_volume()
 
     def check_volume(self):
-        """The light that passes two bricks is that which passes the whole volume."""
+        """Two bricks let as much light pass as the whole volume."""
         one, two = (numpy.load(pv.OUTPUT / f"cloud-{ranks}.npz") for ranks in (1, 2))
         light = one["shadow_5"]
         self.assertGreater(((light > 0.05) & (light < 0.95)).sum(), 1000)

@@ -254,7 +254,7 @@ void TestTypes(Scene& scene)
   scene.Check("an infinite voxel");
   scene.Fill(VTK_UNSIGNED_SHORT);
 
-  // As values of cells, of which the first and the last touch the border of the image.
+  // Values of cells, of which the first and the last touch the border of the image.
   vtkNew<vtkImageData> cells;
   cells->SetDimensions(Size + 1, Size + 1, Size + 1);
   cells->SetSpacing(1.0 / Size, 1.0 / Size, 1.0 / Size);

@@ -150,20 +150,12 @@ std::vector<int> FrameParts::Begin(const std::string& words, const scene::Render
     { "size", { static_cast<unsigned>(options.Size[0]), static_cast<unsigned>(options.Size[1]) } },
     { "fps", options.Motion.FramesPerSecond } };
   this->Hash = dataset::OpenWorkFolder(this->Folder, Settings, this->Read);
-  const dataset::WorkState state = this->Verify(dataset::WorkCheck::Files);
-  std::vector<bool> isComplete(static_cast<std::size_t>(frames), true);
-  for (const auto* names : { &state.Missing, &state.Damaged, &state.Foreign })
-  {
-    for (const std::string& name : *names)
-    {
-      isComplete[static_cast<std::size_t>(std::stoi(name))] = false;
-    }
-  }
   std::vector<int> left;
+  dataset::WorkState state;
   const auto range = part.GetRange(frames);
   for (auto frame = static_cast<int>(range[0]); frame < static_cast<int>(range[1]); ++frame)
   {
-    if (!isComplete[static_cast<std::size_t>(frame)])
+    if (!this->CheckFrame(frame, this->Read, this->Hash, dataset::WorkCheck::Files, state))
     {
       left.push_back(frame);
     }
@@ -192,6 +184,43 @@ void FrameParts::Keep(int frame)
 }
 
 //------------------------------------------------------------------------------
+// Whether a frame is complete; otherwise adds it to the state. `hash`: of the settings.
+bool FrameParts::CheckFrame(int frame, const Json& settings, const std::string& hash,
+  dataset::WorkCheck check, dataset::WorkState& state) const
+{
+  const std::string name = std::to_string(frame);
+  const std::string file = this->GetRecord(frame);
+  std::error_code trouble;
+  if (!fs::exists(file, trouble))
+  {
+    state.Missing.push_back(name);
+    return false;
+  }
+  const Json record = Json::parse(dataset::ReadWhole(file), nullptr, false);
+  bool isRecord = record.is_object() && record.value("frame", Json()) == frame &&
+    record.value("files", Json()).is_object();
+  for (const Json& output : settings["outputs"])
+  {
+    isRecord = isRecord && record["files"].contains(scene::GetFrameName(output, frame));
+  }
+  const std::string damage = !isRecord   ? "its record"
+    : check == dataset::WorkCheck::Files ? dataset::FindDamage(this->GetBase(), record)
+                                         : "";
+  if (!damage.empty())
+  {
+    state.Damaged.push_back(name + " (" + damage + ")");
+    return false;
+  }
+  if (record.value("version", Json()) != settings["version"] ||
+    record.value("settings", Json()) != hash)
+  {
+    state.Foreign.push_back(name);
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 dataset::WorkState FrameParts::Verify(dataset::WorkCheck check) const
 {
   const std::string path = this->Folder + "/" + Settings;
@@ -206,33 +235,7 @@ dataset::WorkState FrameParts::Verify(dataset::WorkCheck check) const
   state.All = settings["frames"].get<std::size_t>();
   for (int frame = 0; frame < static_cast<int>(state.All); ++frame)
   {
-    const std::string name = std::to_string(frame);
-    const std::string file = this->GetRecord(frame);
-    std::error_code trouble;
-    if (!fs::exists(file, trouble))
-    {
-      state.Missing.push_back(name);
-      continue;
-    }
-    const Json record = Json::parse(dataset::ReadWhole(file), nullptr, false);
-    bool isRecord = record.is_object() && record.value("frame", Json()) == frame &&
-      record.value("files", Json()).is_object();
-    for (const Json& output : settings["outputs"])
-    {
-      isRecord = isRecord && record["files"].contains(scene::GetFrameName(output, frame));
-    }
-    const std::string damage = !isRecord   ? "its record"
-      : check == dataset::WorkCheck::Files ? dataset::FindDamage(this->GetBase(), record)
-                                           : "";
-    if (!damage.empty())
-    {
-      state.Damaged.push_back(name + " (" + damage + ")");
-    }
-    else if (record.value("version", Json()) != settings["version"] ||
-      record.value("settings", Json()) != hash)
-    {
-      state.Foreign.push_back(name);
-    }
+    this->CheckFrame(frame, settings, hash, check, state);
   }
   const std::string film = settings["film"];
   if (check == dataset::WorkCheck::Records || film.empty())
@@ -240,8 +243,8 @@ dataset::WorkState FrameParts::Verify(dataset::WorkCheck check) const
     return state;
   }
   const std::string file = this->GetBase() + "/" + film;
-  const std::string merged = this->Folder + "/" + MergedFilm;
   std::error_code trouble;
+  const std::string merged = this->Folder + "/" + MergedFilm;
   const bool exists = fs::exists(file, trouble);
   if (!exists || !fs::exists(merged, trouble) ||
     Json::parse(dataset::ReadWhole(merged), nullptr, false) !=

@@ -51,6 +51,8 @@ public:
 private:
   std::string GetBase() const; // the folder to which names of outputs are relative
   std::string GetRecord(int frame) const;
+  bool CheckFrame(int frame, const nlohmann::ordered_json& settings, const std::string& hash,
+    dataset::WorkCheck check, dataset::WorkState& state) const;
 
   std::string Folder;
   nlohmann::ordered_json Read; // settings

@@ -1026,7 +1026,7 @@ QString MainWindow::ShowRead()
   facts.Files = GetFileFacts(picture, this->Good.Files);
   this->Edited->SetFacts(facts);
   this->setWindowTitle(GetTitle(this->Good.Files));
-  this->setWindowFilePath(QString::fromStdString(this->Good.Files.front())); // names what is saved
+  this->setWindowFilePath(QString::fromStdString(this->Good.Files.front())); // proposed to save
   this->OfFile = false;
   this->Mend();
   this->TellMessages();
