@@ -1111,8 +1111,8 @@ class Sun(unittest.TestCase):
             self.assertLess(array(lit, "sun_hours")[0], 14)
 
     def test_irradiation_among_poles(self):
-        """Occluders, or slits between closed bodies, narrower than the first patches: a closed form,
-        and rays, within the bounds."""
+        """Narrow poles and narrow slits between closed bodies: a closed form, and rays, within the
+        bounds."""
         height, radius, count = 50, 10, 24
         floor = grid((-0.001, 0, 0.001), (0.001, 0, 0.001), (-0.001, 0, -0.001), 1, 1)
         sky = {"dhi": numpy.full(24, 100.0), "dni": numpy.zeros(24)}

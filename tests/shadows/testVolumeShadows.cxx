@@ -356,8 +356,8 @@ void TestBytes()
   }
 }
 
-// The length and one component of vectors, which VTK selects only when it draws; and volumes that it
-// leaves out.
+// The length and one component of vectors, which VTK selects only when it draws; and volumes that
+// VTK leaves out.
 void TestVectors()
 {
   Volume volume(3, Constant(0.0));
