@@ -11,6 +11,7 @@
 #include "Messages.h"
 #include "Options.h"
 #include "Outcome.h"
+#include "OutputOptions.h"
 #include "Progress.h"
 #include "ReadContext.h"
 #include "StyledScene.h"

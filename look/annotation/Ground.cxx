@@ -3,6 +3,7 @@
 #include "Ground.h"
 
 #include "GroundSky.h"
+#include "Rows.h"
 #include "Triples.h"
 
 #include "vtkActor.h"
@@ -209,5 +210,16 @@ void SetGroundColor(vtkActor* ground, const double color[3])
   }
   colors->Modified();
   GetDisc(ground)->Modified();
+}
+
+//------------------------------------------------------------------------------
+void AddGroundOption(Rows& rows, std::optional<bool>& ground)
+{
+  rows
+    .AddChoice("--ground", "ON", { "off", "on" },
+      "on or off: a ground below the scene that catches its shadows, only in the picture "
+      "(on with the lights of studio and town)",
+      [&ground](std::size_t place) { ground = place == 1; })
+    .NamedIn("Scene", "Ground");
 }
 }

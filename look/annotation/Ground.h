@@ -10,6 +10,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <optional>
 
 class vtkActor;
 class vtkRenderer;
@@ -28,6 +29,9 @@ vtkSmartPointer<vtkActor> MakeGround(const double bounds[6], int upAxis,
 void GetGroundColor(vtkActor* ground, double color[3]);
 void SetGroundColor(vtkActor* ground, const double color[3]);
 ///@}
+
+/// The row of --ground.
+void AddGroundOption(Rows& rows, std::optional<bool>& ground);
 }
 
 #endif

@@ -3,11 +3,15 @@
 #include "CameraOptions.h"
 
 #include "FittedView.h"
+#include "Rows.h"
 #include "Triples.h"
+#include "Values.h"
 
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkRenderer.h"
+
+#include <limits>
 
 namespace look
 {
@@ -84,5 +88,67 @@ CameraPlace GetPlace(vtkCamera* camera)
   };
   return { three(camera->GetPosition()), three(camera->GetFocalPoint()),
     three(camera->GetViewUp()) };
+}
+
+namespace
+{
+//------------------------------------------------------------------------------
+void TakeCamera(CameraChoice& choice, const std::string& word)
+{
+  const std::vector<double> n = ParseNumbers("--camera", word, 9, "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ");
+  const CameraPlace camera = { Triple(n, 0), Triple(n, 3), Triple(n, 6) };
+  const std::string error = CheckPlace(camera);
+  if (!error.empty())
+  {
+    RefuseValue("--camera", word, error);
+  }
+  choice.Place = camera;
+}
+
+//------------------------------------------------------------------------------
+void TakeClip(CameraChoice& choice, const std::string& word)
+{
+  const std::vector<double> n = ParseNumbers("--clip", word, 2, "NEAR,FAR");
+  if (n[0] <= 0.0 || n[1] <= n[0])
+  {
+    RefuseValue("--clip", word, "NEAR,FAR with 0 < NEAR < FAR");
+  }
+  choice.Clip = { n[0], n[1] };
+}
+}
+
+//------------------------------------------------------------------------------
+void AddCameraOptions(Rows& rows, CameraChoice& camera)
+{
+  rows
+    .Add("--camera", "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ",
+      "position, focal point, up (fitted to the scene: from the upper right, or with "
+      "--preset none along -z with y or the axis of --up up; from the flat side of a flat "
+      "scene)",
+      camera, TakeCamera)
+    .Is(Rows::Option::KEEPS_STYLE | Rows::Option::OF_ONE_VIEW);
+  rows
+    .AddNumber("--view-angle", "DEG",
+      "full vertical angle of the perspective, degrees, @bounds@ (30)", { 0.0, 180.0, true },
+      camera.Angle)
+    .NamedIn("Scene", "View angle");
+  rows
+    .Add("--parallel-scale", "S",
+      "parallel projection; S is half the picture's height in world units",
+      [&camera](const std::string& word) {
+        camera.ParallelScale = ParseNumberBetween(
+          "--parallel-scale", word, 0.0, std::numeric_limits<double>::infinity());
+      })
+    .Is(Rows::Option::OF_ONE_VIEW);
+}
+
+//------------------------------------------------------------------------------
+void AddClipOption(Rows& rows, CameraChoice& camera)
+{
+  rows
+    .Add("--clip", "NEAR,FAR",
+      "clipping distances from the camera, 0 < NEAR < FAR (around the scene)", camera, TakeClip)
+    .Is(Rows::Option::KEEPS_STYLE | Rows::Option::OF_ONE_VIEW)
+    .DropAs("the clipping distances");
 }
 }

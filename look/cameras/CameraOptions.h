@@ -45,6 +45,12 @@ std::string CheckPlace(const CameraPlace& place);
 
 /// The pose of a camera.
 CameraPlace GetPlace(vtkCamera* camera);
+
+///@{
+/// The rows of --camera, --view-angle and --parallel-scale, and of --clip.
+void AddCameraOptions(Rows& rows, CameraChoice& camera);
+void AddClipOption(Rows& rows, CameraChoice& camera);
+///@}
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "Colormaps.h"
 #include "DataSets.h"
 #include "Errors.h"
+#include "Rows.h"
 #include "ScalarBar.h"
 #include "Values.h"
 #include "VolumeImages.h"
@@ -486,5 +487,119 @@ void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, b
     SetVolumeCurve(volume, look.OpacityCurve);
     SetVolumeStep(volume, look.VolumeStep);
   });
+}
+
+//------------------------------------------------------------------------------
+void AddShadingOption(Rows& rows, Shading& shading)
+{
+  rows
+    .AddChoice("--shading", "KIND", { "flat", "gouraud", "phong", "pbr" },
+      "@choices@ (phong; glTF keeps its own materials)",
+      [&shading](std::size_t place) {
+        constexpr Shading kinds[] = { Shading::Flat, Shading::Gouraud, Shading::Phong,
+          Shading::PBR };
+        shading = kinds[place];
+      })
+    .NamedIn("Look", "Shading");
+}
+
+//------------------------------------------------------------------------------
+void AddLookOptions(Rows& rows, LookChoice& look)
+{
+  rows
+    .AddFlag("--grid",
+      "shows a grid around the scene with numbers on its axes x, y and z, only in the "
+      "picture",
+      look.Grid)
+    .NamedIn("Scene", "Grid")
+    .RefuseLens("it is drawn only over a pinhole's picture");
+  rows
+    .Add("--scale-bar", "UNIT[,length=LENGTH]",
+      "shows a scale bar of a round length, or of LENGTH, at the lower right, only in the "
+      "picture. UNIT is the unit of the scene's coordinates, such as mm; none: the number "
+      "alone. In perspective the bar is correct at the depth of the focal point",
+      look, TakeScaleBar)
+    .NamedIn("Scene", "Scale bar")
+    .RefuseLens("it is drawn only over a pinhole's picture")
+    .Words = { "none" };
+  rows
+    .Add("--color-by", "NAME[,COMPONENT]",
+      "colours by a point or cell array, point:NAME or cell:NAME if two share a name; "
+      "COMPONENT is a number from 0, or magnitude (the active scalars; the magnitude; "
+      "bytes of 3 or 4 components are colours)",
+      look, TakeColorBy)
+    .Is(Rows::Option::OF_FILES)
+    .NamedIn("Look", "Colour by");
+  rows
+    .Add("--range", "MIN,MAX",
+      "values of the first and the last colour (the array's finite range in all files); "
+      "symmetric: that range, extended to be symmetric around zero",
+      look, TakeRange)
+    .Is(Rows::Option::OF_FILES)
+    .NamedIn("Look", "Range")
+    .Words = { "symmetric" };
+  rows
+    .Add("--colormap", "NAME",
+      "viridis, cool-warm, grey, hot, rainbow, ember, ocean, blue-orange, green-purple, phase or "
+      "categories, or colours between commas, evenly spaced "
+      "or at shares of the range, such as black,0.3=#ff8000,white; then optionally "
+      ":reversed, :log (by the logarithm of the values), :steps=N (N colours) and "
+      ":nan=COLOR (the colour of NaN) (viridis)",
+      look, TakeColormap)
+    .NamedIn("Look", "Colour map")
+    .Words = GetColormapNames();
+  rows.AddFlag("--scalar-bar", "shows the colours and their values at the right", look.ScalarBar)
+    .Is(Rows::Option::OF_FILES)
+    .NamedIn("Look", "Show a colour bar")
+    .RefuseLens("it is drawn only over a pinhole's picture");
+  rows
+    .Add("--bar", "PLACE[,title=TEXT][,unit=UNIT]",
+      "the scalar bar at the right, left, bottom or top (where it is horizontal), with another "
+      "title than the array's name, and with the unit of the values",
+      look, TakeBar)
+    .Is(Rows::Option::OF_FILES)
+    .NamedIn("Look", "Side of the bar")
+    .RefuseLens("it is drawn only over a pinhole's picture")
+    .Words = { "right", "left", "bottom", "top" };
+  rows
+    .Add("--color", "COLOR",
+      "one colour for all meshes; COLOR is R/G/B from 0 to 1 as displays show it, "
+      "#rrggbb, or a name such as slategray",
+      look, TakeColor)
+    .NamedIn("Look", "One colour");
+  rows
+    .AddNumber("--opacity", "A", "opacity of all meshes and volumes, @bounds@ (1)", { 0.0, 1.0 },
+      look.Opacity)
+    .Is(Rows::Option::SHAPES_SURFACE)
+    .NamedIn("Look", "Opacity");
+  rows
+    .Add("--opacity-curve", "VALUE/A,...",
+      "volumes (--image volume): the opacity at two or more values, 0 to 1 over a hundredth of the "
+      "image's diagonal, linear in between (0 below the threshold that separates the values best)",
+      look, TakeOpacityCurve)
+    .Is(Rows::Option::SHAPES_SURFACE)
+    .NamedIn("Look", "Opacity curve")
+    .DropAs("the opacity curve");
+  rows
+    .AddNumber("--volume-step", "SHARE",
+      "step of rays through volumes, as a share of the smallest distance between the image's "
+      "points, @bounds@; smaller steps are slower and show fewer rings (0.5, and finer in images "
+      "of few points)",
+      { 0.05, 4.0 }, look.VolumeStep)
+    .Is(Rows::Option::SHAPES_SURFACE)
+    .NamedIn("Look", "Step");
+  rows
+    .AddNumber("--point-size", "PIXELS",
+      "width of points, @bounds@ pixels; wider than 1, they are drawn as spheres (4 with a "
+      "preset, else 1)",
+      { 1.0, 100.0 }, look.PointSize)
+    .NamedIn("Look", "Point size");
+  rows.AddFlag("--edges", "draws the edges of cells", look.Edges).NamedIn("Look", "Show edges");
+  rows
+    .Add("--background", "COLOR[,COLOR]",
+      "one colour, or a gradient: the bottom's and the top's (the preset's; black with "
+      "--preset none)",
+      look, TakeBackground)
+    .NamedIn("Look", "Background");
 }
 }

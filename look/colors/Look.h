@@ -26,6 +26,12 @@ void SetShading(vtkRenderer* renderer, Shading kind);
 /// arrays; `mapped`: whether surfaces have a normal map or heights. Throws UsageError if no drawn
 /// prop has the array to colour by, or if it has fewer components.
 void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, bool mapped);
+
+///@{
+/// The rows of --shading, and of a look.
+void AddShadingOption(Rows& rows, Shading& shading);
+void AddLookOptions(Rows& rows, LookChoice& look);
+///@}
 }
 
 #endif

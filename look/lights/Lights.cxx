@@ -6,6 +6,7 @@
 #include "LightOptions.h"
 #include "Messages.h"
 #include "Numbers.h"
+#include "Rows.h"
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -93,5 +94,18 @@ void CheckLights(vtkRenderer* renderer, const std::vector<LightChoice>& lights)
   {
     throw WorkError("the files' lights: " + error + " Give --light, or points with --lamps FILE");
   }
+}
+
+//------------------------------------------------------------------------------
+void AddLightOption(Rows& rows, std::vector<LightChoice>& lights)
+{
+  static const std::string help = DescribeLights(); // words are parsed often
+  vtkRelievoOption& light =
+    rows
+      .Add("--light", "LIGHT", help,
+        [&lights](const std::string& word) { lights.push_back(ParseLight(word)); })
+      .NamedIn("Light", "Lights");
+  light.Repeats = true;
+  light.Words = { "sun:", "spot:", "point:" };
 }
 }

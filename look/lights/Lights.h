@@ -23,6 +23,9 @@ void AddLights(
 
 /// Throws UsageError or WorkError for more lights than can be drawn, those chosen or the files'.
 void CheckLights(vtkRenderer* renderer, const std::vector<LightChoice>& lights);
+
+/// The row of --light.
+void AddLightOption(Rows& rows, std::vector<LightChoice>& lights);
 }
 
 #endif

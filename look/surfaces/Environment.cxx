@@ -7,6 +7,7 @@
 #include "Numbers.h"
 #include "Progress.h"
 #include "ReadContext.h"
+#include "Rows.h"
 #include "SurfaceOptions.h"
 
 #include "vtkAlgorithm.h"
@@ -15,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoEnvironmentLight.h"
+#include "vtkRelievoImageFile.h"
 #include "vtkRelievoParameter.h"
 #include "vtkRelievoSkybox.h"
 #include "vtkRenderer.h"
@@ -105,5 +107,35 @@ void ShowSky(vtkRenderer* renderer, vtkRelievoEnvironment* environment)
   // With a parallel projection, all rays would see a single place of the sky.
   sky->SetParallelViewAngle(renderer->GetActiveCamera()->GetViewAngle());
   renderer->AddViewProp(sky);
+}
+
+//------------------------------------------------------------------------------
+void AddEnvironmentOptions(Rows& rows, SurfaceChoice& surface)
+{
+  // Words are parsed often: long texts are made once.
+  static const std::string images = vtkRelievoImageFile::ListExtensions("", "|");
+  static const std::string listed = vtkRelievoImageFile::ListExtensions(".");
+  static const std::string values = DescribeValues(GetEnvironmentValues());
+  rows
+    .Add("--environment", "F[,DEG][,NAME=VALUE]...",
+      "light from all directions, for reflections and ambient light, from an image (" + listed +
+        ") that is twice as wide as high, or square for a photograph of a mirror ball; "
+        "rotated by DEG about the up axis (0). 8 and 16 bits are sRGB, floats linear light. "
+        "Other values are" +
+        values,
+      surface, TakeEnvironment)
+    .Is(Rows::Option::SHAPES_SURFACE)
+    .NamedIn("Light", "Environment")
+    .Files = images;
+  rows
+    .Add("--reflectivity", "R[,ROUGHNESS]",
+      "share of the environment's light that surfaces mirror at normal incidence, and "
+      "roughness of the mirror, each 0 to 1 (0.04,0.2)",
+      surface, TakeReflectivity)
+    .Is(Rows::Option::SHAPES_SURFACE)
+    .NamedIn("Light", "Reflectivity");
+  rows.AddFlag("--skybox", "shows the environment behind everything", surface.Skybox)
+    .Is(Rows::Option::SHAPES_SURFACE)
+    .NamedIn("Light", "Show as sky");
 }
 }

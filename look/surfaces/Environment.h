@@ -32,6 +32,9 @@ vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
 
 /// Adds the skybox behind the renderer's picture.
 void ShowSky(vtkRenderer* renderer, vtkRelievoEnvironment* environment);
+
+/// The rows of --environment, --reflectivity and --skybox.
+void AddEnvironmentOptions(Rows& rows, SurfaceChoice& surface);
 }
 
 #endif

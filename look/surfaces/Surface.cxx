@@ -5,6 +5,7 @@
 #include "Environment.h"
 #include "Errors.h"
 #include "Images.h"
+#include "Rows.h"
 #include "SurfaceOptions.h"
 
 #include "vtkActor.h"
@@ -13,6 +14,7 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkRelievoEnvironment.h"
+#include "vtkRelievoImageFile.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -155,5 +157,54 @@ void SetSurface(vtkRenderer* renderer, const std::vector<vtkActor*>& without,
     }
     material->Attach(actor);
   }
+}
+
+//------------------------------------------------------------------------------
+void AddMapOptions(Rows& rows, SurfaceChoice& surface)
+{
+  // Words are parsed often: long texts are made once.
+  static const std::string images = vtkRelievoImageFile::ListExtensions("", "|");
+  static const std::string listed = vtkRelievoImageFile::ListExtensions(".");
+  static const std::string values = DescribeValues(GetMaterialValues());
+  rows
+    .AddText("--normal-map", "F",
+      "tangent-space normals from an image (" + listed +
+        "; green points up, as in OpenGL), placed by the meshes' texture coordinates; linear "
+        "values, not sRGB",
+      surface.NormalMap)
+    .Is(Rows::Option::READS_FILES | Rows::Option::SHAPES_SURFACE)
+    .NamedIn("Look", "Normal map")
+    .DropAs("the normal map")
+    .Files = images;
+  rows
+    .Add("--height-map", "F[,SCALE]",
+      "heights from an image; the ground lies SCALE below the mesh, in world units "
+      "(0.02 of the scene's longest side)",
+      surface, TakeHeightMap)
+    .Is(Rows::Option::READS_FILES | Rows::Option::SHAPES_SURFACE)
+    .NamedIn("Look", "Height map")
+    .DropAs("the height map")
+    .Files = images;
+  rows
+    .AddChoice("--relief", "METHOD", GetReliefMethods(),
+      "how heights are drawn: off (as normals only), parallax, steep, occlusion or relief (relief)",
+      [&surface](std::size_t place) { surface.ReliefMethod = GetReliefMethods()[place]; })
+    .Is(Rows::Option::SHAPES_SURFACE | Rows::Option::OF_FILES)
+    .NamedIn("Look", "Relief method");
+  rows
+    .Add("--material", "NAME=VALUE[,NAME=VALUE]...",
+      "other values of the material of all surfaces" + values, surface, TakeMaterial)
+    .Is(Rows::Option::SHAPES_SURFACE)
+    .NamedIn("Look", "Material");
+  rows
+    .AddChoice("--texture-coordinates", "METHOD", { "box", "plane", "sphere" },
+      "how texture coordinates are made for meshes without them: @choices@ (box, with a "
+      "note)",
+      [&surface](std::size_t place) {
+        constexpr Mapping methods[] = { Mapping::Box, Mapping::Plane, Mapping::Sphere };
+        surface.TextureMapping = methods[place];
+      })
+    .Is(Rows::Option::READS_FILES | Rows::Option::SHAPES_SURFACE | Rows::Option::OF_FILES)
+    .NamedIn("Look", "Texture coordinates");
 }
 }

@@ -30,6 +30,9 @@ void CheckSurface(const SurfaceChoice& surface);
 /// naming the file.
 void SetSurface(vtkRenderer* renderer, const std::vector<vtkActor*>& without,
   const SurfaceChoice& surface, int up, bool opaque, ReadContext& context);
+
+/// The rows of maps, relief, material and texture coordinates.
+void AddMapOptions(Rows& rows, SurfaceChoice& surface);
 }
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "Numbers.h"
 #include "Progress.h"
+#include "Rows.h"
 #include "Values.h"
 
 #include "vtkAppendPolyData.h"
@@ -609,5 +610,22 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
     property->SetGradientOpacity(even);
   }
   return volume;
+}
+
+//------------------------------------------------------------------------------
+void AddImageOption(Rows& rows, ImageChoice& image)
+{
+  rows
+    .Add("--image", "KIND",
+      "how images with depth (.vti, .pvti, .vtk) are shown: labels, the smooth surface of "
+      "each value other than 0, for at most 2000 values; surface[=VALUE], the surface at "
+      "VALUE (the threshold that separates the values best); volume; box, the outer faces; "
+      "auto, labels if the image consists of labels, at most 2000, else surface (auto with "
+      "a preset and without --color-by and --scalar-bar, else box)",
+      [&image](const std::string& word) { image = ParseImage(word); })
+    .Is(Rows::Option::READS_FILES)
+    .NamedIn("Scene", "Images")
+    .DropAs("how the image is shown")
+    .Words = { "auto", "labels", "surface", "volume", "box" };
 }
 }

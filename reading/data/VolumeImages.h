@@ -40,6 +40,9 @@ struct ImageChoice
 /// Parses "labels", "surface=120" and so on; throws UsageError.
 ImageChoice ParseImage(const std::string& word);
 
+/// The row of --image.
+void AddImageOption(Rows& rows, ImageChoice& image);
+
 /// The image if the data has depth and one value per point, or else per cell; values of cells are
 /// moved to points. Null: other data.
 vtkSmartPointer<vtkImageData> GetVolumeImage(vtkDataObject* data);

@@ -3,6 +3,7 @@
 #include "UpAxis.h"
 
 #include "Readers.h"
+#include "Rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,5 +47,21 @@ int FindUpAxis(const std::string& path, const double bounds[6])
     return 2;
   }
   return HasZUp(path) && extent(2) > 1e-3 * largest ? 2 : 1;
+}
+
+//------------------------------------------------------------------------------
+void AddUpOption(Rows& rows, int& axis)
+{
+  rows
+    .AddChoice("--up", "AXIS", { "x", "y", "z" },
+      "the up axis, @choices@, of --environment, the fitted camera, the ground, "
+      "--texture-coordinates and the shadows of --markers (y with --preset none; else by "
+      "the first file: y for models; z for data that is low along z, unless it stands on y "
+      "= 0 like a figure; y or z for data that stands on y = 0 or on z = 0; else z for STL "
+      "and grids with depth, y for others)",
+      [&axis](std::size_t place) { axis = static_cast<int>(place); })
+    .Is(Rows::Option::READS_FILES | Rows::Option::SHAPES_SURFACE)
+    .NamedIn("Scene", "Up")
+    .DropAs("the up axis");
 }
 }

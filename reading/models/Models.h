@@ -40,6 +40,9 @@ PosedModel ReadModel(
 
 /// Moves the model's actors to a time in seconds.
 void PlayModel(PosedModel& model, double time, ReadContext& context);
+
+/// The rows of the options of models.
+void AddModelOptions(Rows& rows, ModelChoice& model);
 }
 
 #endif

@@ -7,6 +7,7 @@
 
 namespace words
 {
+class Rows;
 }
 
 namespace reading

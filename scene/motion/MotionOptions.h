@@ -23,8 +23,8 @@ struct MotionChoice
   bool MovesCamera() const { return this->Turntable > 0 || !this->Path.empty(); }
 };
 
-/// Throws UsageError unless the name ends in that of a film's format.
-void TakeVideo(MotionChoice& motion, const std::string& word);
+/// The rows of these options.
+void AddMotionOptions(Rows& rows, MotionChoice& motion);
 }
 
 #endif

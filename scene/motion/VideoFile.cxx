@@ -65,19 +65,6 @@ std::vector<std::string> GetWords(const std::string& path, const std::string& na
 }
 
 //------------------------------------------------------------------------------
-void TakeVideo(MotionChoice& motion, const std::string& word)
-{
-  const std::string extension = ExtensionOf(word);
-  if (extension != VideoFile::H264 && extension != VideoFile::FFV1)
-  {
-    RefuseValue("--video", word,
-      std::string("a name that ends in ") + VideoFile::H264 + " (H.264) or " + VideoFile::FFV1 +
-        " (FFV1, lossless)");
-  }
-  motion.Video = word;
-}
-
-//------------------------------------------------------------------------------
 bool VideoFile::HasProgram()
 {
   const char* folders = std::getenv("PATH");

@@ -29,9 +29,6 @@ namespace scene
 /// Pixels or texels per direction. OpenGL's own limit, which may be lower, is queried later.
 constexpr int LargestSize = 16384;
 
-/// Maximum number of rays for --certify.
-constexpr int MostRays = 100000000;
-
 struct RenderOptions
 {
   std::vector<std::string> Files;
@@ -81,8 +78,6 @@ bool IsOfSwitch(const StageChoice& choice);
 /// Parses files and options in the words of `relievo render`; files may follow later.
 RenderOptions ParseOptions(const std::vector<std::string>& words);
 
-/// Throws UsageError unless there is a file and an output.
-void CheckOutputs(const RenderOptions& options);
 }
 
 #endif

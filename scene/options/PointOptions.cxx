@@ -4,11 +4,15 @@
 
 #include "Errors.h"
 #include "Options.h"
+#include "Readers.h"
+#include "Rows.h"
+#include "Values.h"
 
 #include "vtkNew.h"
 #include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
+#include "vtkRelievoStageDescription.h"
 
 #include <algorithm>
 
@@ -104,6 +108,9 @@ const std::vector<PointStage>& GetPointStages()
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+// Parses FILE[,NAME=VALUE]...: values of points, or parameters of the stage.
 void TakePoints(RenderOptions& options, const std::string& name, const std::string& word)
 {
   const PointStage& stage = FindStage(name);
@@ -139,6 +146,7 @@ void TakePoints(RenderOptions& options, const std::string& name, const std::stri
   CheckTogether(option, points, choice.Values);
   options.Points.push_back(choice);
 }
+}
 
 //------------------------------------------------------------------------------
 std::string ParseFileAndValues(
@@ -164,5 +172,22 @@ std::string WriteFileAndValues(const std::string& file, const NamedWords& values
 vtkSmartPointer<vtkRelievoPointValues> MakePointValues(const std::string& stage)
 {
   return vtkSmartPointer<vtkRelievoPointValues>::Take(FindStage(stage).Points->NewInstance());
+}
+
+//------------------------------------------------------------------------------
+void AddPointOptions(Rows& rows, RenderOptions& all)
+{
+  static const std::string extensions = Join(GetExtensions(), "|");
+  for (const PointStage& stage : GetPointStages())
+  {
+    vtkRelievoOption& points = rows.Add("--" + stage.Name, "FILE[,NAME=VALUE]...", stage.Help,
+      [&all, name = stage.Name](const std::string& word) { TakePoints(all, name, word); });
+    points.Repeats = true;
+    points.Files = extensions;
+    const vtkRelievoStageDescription& description =
+      GetNewFrame()->GetStage(stage.Name)->GetDescription();
+    const bool isLight = description.Slot == vtkRelievoStageDescription::SHADE;
+    points.NamedIn(isLight ? "Light" : "Look", description.Label);
+  }
 }
 }

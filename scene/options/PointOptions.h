@@ -43,8 +43,8 @@ struct PointsChoice
   NamedWords Values; ///< values of points, by name
 };
 
-/// Parses FILE[,NAME=VALUE]...: values of points, or parameters of the stage. Throws UsageError.
-void TakePoints(RenderOptions& options, const std::string& stage, const std::string& word);
+/// The rows of these options.
+void AddPointOptions(Rows& rows, RenderOptions& options);
 
 /// Parses the file and the values, each name once; \, is a comma within a value. Throws UsageError.
 std::string ParseFileAndValues(

@@ -6,6 +6,7 @@
 #include "NightSky.h"
 #include "Numbers.h"
 #include "Options.h"
+#include "Rows.h"
 #include "Settings.h"
 #include "ShadowOptions.h"
 #include "Values.h"
@@ -194,10 +195,13 @@ const std::vector<PresetParameter>& GetPresetParameters()
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
 void TakePreset(RenderOptions& options, const std::string& word)
 {
   ParseChoice("--preset", word, GetPresetNames());
   options.Preset = word;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -331,5 +335,29 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
       options.Ground = options.Ground.value_or(true);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void AddPresetOption(Rows& rows, RenderOptions& all)
+{
+  rows
+    .Add("--preset", "NAME",
+      "studio, town or print: lights, shadows, ground, background and a view from the "
+      "upper right, unless other options set them; none: VTK's headlight on black (the "
+      "environment variable RELIEVO_PRESET, or else studio)",
+      all, TakePreset)
+    .NamedIn("Scene", "Preset")
+    .Words = GetPresetNames();
+}
+
+//------------------------------------------------------------------------------
+void AddFillOption(Rows& rows, RenderOptions& all)
+{
+  rows
+    .AddNumber("--fill", "F",
+      "strength of a preset's fill lights, which light the areas that its first light, or "
+      "--light, leaves dark, @bounds@ (1; 0.4 with --light)",
+      { 0.0, 1.0 }, all.Fill)
+    .NamedIn("Light", "Fill");
 }
 }

@@ -29,8 +29,11 @@ struct PresetParameter
 };
 const std::vector<PresetParameter>& GetPresetParameters();
 
-/// Throws UsageError for an unknown name.
-void TakePreset(RenderOptions& options, const std::string& word);
+///@{
+/// The rows of --preset and --fill.
+void AddPresetOption(Rows& rows, RenderOptions& options);
+void AddFillOption(Rows& rows, RenderOptions& options);
+///@}
 
 /// Removes --fill if the preset has no fill lights, because it would be refused.
 void DropIdleFill(Settings& settings);

@@ -3,12 +3,15 @@
 #include "ShadowOptions.h"
 
 #include "Errors.h"
+#include "Numbers.h"
 #include "Options.h"
+#include "Rows.h"
 
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoParameter.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace scene
 {
@@ -24,9 +27,13 @@ bool SetsShadows(const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
 void TakeCertify(RenderOptions& options, const std::string& word)
 {
-  options.Certify = ParseWhole("--certify", word, 1, MostRays);
+  constexpr int most = 100000000; // rays
+  options.Certify = ParseWhole("--certify", word, 1, most);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -87,6 +94,95 @@ void CheckShadowLayers(const RenderOptions& options, int lights, const std::stri
           (lights == 1 ? "is 1 " : "are " + std::to_string(lights) + " ") + whose +
           ", counted from 0");
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddShadowOptions(Rows& rows, RenderOptions& all)
+{
+  AddSwitch(rows, all.Stages, "--shadows", "METHOD", "shadows", "method",
+    "shadows of the lights in the picture: @choices@ (map with studio and town, else off)")
+    .Is(Rows::Option::KEEPS_STYLE)
+    .NamedIn("Light", "Shadows");
+  rows
+    .AddChoice("--volume-shadows", "KIND", { "both", "casts", "receives", "none" },
+      "whether volumes (--image volume) cast shadows and receive them, also their own, if there "
+      "are "
+      "shadows: @choices@ (both)",
+      [&all](std::size_t place) {
+        all.VolumesCast = place < 2;
+        all.VolumesReceive = place % 2 == 0;
+      })
+    .NamedIn("Look", "Volume shadows");
+  AddOfStage(rows, all.Stages, "--shadow-size N", "shadows", "map_size", "Side of each shadow map")
+    .NamedIn("Light", "Map size");
+  AddOfStage(rows, all.Stages, "--soft-shadows N", "shadows", "soft_samples", "-")
+    .NamedIn("Light", "Samples")
+    .Help = "shadows of lights with a size: the mean of N samples of each light's shape, 0 to "
+            "4096 (24 with studio and town, 4 with --image volume, unless --shadows, --certify, "
+            "--shadow-tolerance, --time-budget or --layers is given; else 0: hard shadows)";
+  AddOfStage(rows, all.Stages, "--colored-shadows", "shadows", "colored_shadows",
+    "Translucent meshes cast shadows too, and colour the light that passes them; needs "
+    "--shadows exact, except for coloured volumes (--image volume), which then colour it")
+    .NamedIn("Light", "Coloured shadows");
+  AddOfStage(rows, all.Stages, "--shadow-tolerance S", "shadows", "tolerance", "-",
+    [](const std::string& word) { return WriteNumber(ParseShare("--shadow-tolerance", word)); })
+    .NamedIn("Light", "Tolerance")
+    .Help = "shadows by the cheapest method with an expected share of wrong pixels of at most S, "
+            "such as 0.05% or 0.0005";
+  rows.Command.Options.back().Implies = { "--shadows", "map" };
+  // the method is chosen later
+  AddOfStage(rows, all.Stages, "--time-budget MS", "shadows", "time_budget", "-",
+    [](const std::string& word) {
+      return WriteNumber(
+        ParseNumberBetween("--time-budget", word, 0.0, std::numeric_limits<double>::infinity()));
+    })
+    .NamedIn("Light", "Time budget")
+    .Help = "shadows by the most accurate method whose frames are expected to take at most MS "
+            "milliseconds";
+  rows.Command.Options.back().Implies = { "--shadows", "map" };
+  rows
+    .Add("--certify", "N",
+      "checks N shadow verdicts, chosen at random, by rays in double precision, and prints "
+      "the share of wrong ones with its 95 % bound",
+      all, TakeCertify)
+    .RefuseLens("it checks only a pinhole's picture")
+    .OfOutputs = true;
+}
+
+//------------------------------------------------------------------------------
+// Rejects options about shadows that have no effect without shadows.
+void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>& given)
+{
+  const auto find = [&options](const std::string& parameter) {
+    return FindStageChoice(options.Stages, "shadows", parameter);
+  };
+  const bool asked = find("enabled") ||
+    std::any_of(options.Layers.begin(), options.Layers.end(),
+      [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) >= 0; });
+  const bool sizes = given.count("--shadow-size") > 0;
+  const bool softens = given.count("--soft-shadows") > 0;
+  if (!asked && (sizes || softens))
+  {
+    throw UsageError(std::string(sizes ? "--shadow-size: there are no shadows to size"
+                                       : "--soft-shadows: there are no shadows") +
+      ": give --shadows map, --stage shadows, or a layer shadow_N, as well");
+  }
+  const std::string* method = find("method");
+  if (given.count("--colored-shadows") && options.Image.Is != ImageChoice::Kind::Volume &&
+    (!method || *method != "exact"))
+  {
+    throw UsageError("--colored-shadows: shadow maps store no colour of surfaces: give --shadows "
+                     "exact as well, or a volume (--image volume)");
+  }
+  const bool sized =
+    std::any_of(options.Lights.begin(), options.Lights.end(), [](const LightChoice& light) {
+      return light.Size ? *light.Size > 0.0 : light.Is == LightChoice::Kind::Sun;
+    });
+  if (softens && !options.Lights.empty() && !sized && !find("lamp_radius"))
+  {
+    throw UsageError("--soft-shadows: no light has a size: give one, as in --light "
+                     "point:PX,PY,PZ,size=RADIUS");
   }
 }
 }

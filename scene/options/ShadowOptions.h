@@ -17,14 +17,17 @@ namespace scene
 {
 struct RenderOptions;
 
-/// Maximum number of rays.
-void TakeCertify(RenderOptions& options, const std::string& word);
+/// The rows of shadows, from --shadows to --certify.
+void AddShadowOptions(Rows& rows, RenderOptions& options);
 
 /// Shows shadows by maps, unless options say otherwise.
 void ShowShadows(RenderOptions& options, const NamedWords& parameters = {});
 
 /// Checks that the goals fit the `given` options; a goal of accuracy or speed switches shadows on.
 void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& given);
+
+/// Rejects options about shadows that have no effect without shadows.
+void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>& given);
 
 /// Whether any option shows shadows in the picture.
 bool ShowsShadows(const RenderOptions& options);

@@ -4,12 +4,15 @@
 
 #include "Arguments.h"
 #include "Errors.h"
+#include "Rows.h"
 #include "Values.h"
 
 #include "vtkNew.h"
 #include "vtkRelievoParameter.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
+
+#include <iterator>
 
 namespace scene
 {
@@ -155,5 +158,100 @@ std::string DescribeStages()
     }
   }
   return text;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoOption& AddOfStage(Rows& rows, std::vector<StageChoice>& stages, const std::string& use,
+  const std::string& stage, const std::string& parameter, const std::string& help,
+  const std::function<std::string(const std::string& word)>& read)
+{
+  vtkRelievoParameter set = *GetNewFrame()->GetStage(stage)->GetDescription().Find(parameter);
+  set.Help = help;
+  vtkRelievoOption option = vtkRelievoOption::Of(set, use);
+  option.Sets = stage + ":" + parameter;
+  option.Take = [=, &stages, check = option.Take, name = option.Name](const std::string& word) {
+    const std::string words = read ? read(word) : word;
+    const std::string error = check(words);
+    set.Parse(set.Default); // resets the new frame, which serves only for its description
+    if (error.empty())
+    {
+      AddStage(stages, stage, name)
+        .Parameters.emplace_back(parameter, words.empty() ? "on" : words);
+    }
+    return error;
+  };
+  rows.Command.Options.push_back(option);
+  return rows.Command.Options.back();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoOption& AddSwitch(Rows& rows, std::vector<StageChoice>& stages, const std::string& name,
+  const std::string& form, const std::string& stage, const std::string& parameter,
+  const std::string& help)
+{
+  const vtkRelievoParameter& set =
+    *GetNewFrame()->GetStage(stage)->GetDescription().Find(parameter);
+  std::vector<std::string> words = set.Choices;
+  words.insert(words.begin(), "off");
+  vtkRelievoOption& option =
+    rows.AddChoice(name, form, words, help, [=, &stages, usual = set.Default](std::size_t place) {
+      AddStage(stages, stage, name).Parameters = { { "enabled", place == 0 ? "off" : "on" },
+        { parameter, place == 0 ? usual : words[place] } };
+    });
+  option.Sets = stage + ":" + parameter;
+  option.IsSwitch = true;
+  return option;
+}
+
+namespace
+{
+//------------------------------------------------------------------------------
+void TakeAmbient(std::vector<StageChoice>& stages, const std::string& word)
+{
+  const std::vector<std::string> pieces = Split(word, ',');
+  StageChoice& choice = AddStage(stages, "ambient", "--ambient");
+  choice.Parameters = { { "enabled", "on" }, { "strength", pieces[0] } };
+  for (auto piece = std::next(pieces.begin()); piece != pieces.end(); ++piece)
+  {
+    const std::size_t equals = piece->find('=');
+    if (equals == 0 || equals == std::string::npos)
+    {
+      RefuseValue("--ambient", word,
+        "a strength from 0 to 1, then ,radius=R ,weighting=W or ,samples=N, such as 1,radius=0.5");
+    }
+    choice.Parameters.emplace_back(piece->substr(0, equals), piece->substr(equals + 1));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void AddAmbientOption(Rows& rows, std::vector<StageChoice>& stages)
+{
+  rows
+    .Add("--ambient", "STRENGTH[,radius=R][,NAME=VALUE]...",
+      "ambient occlusion by rays: opaque surfaces are darker by up to this share, 0 to 1, "
+      "where they see less of the sky; R limits the distance of occluders in world units "
+      "(0: no limit). Other values are parameters of the stage ambient, such as samples=N, "
+      "rays per pixel (64)",
+      stages, TakeAmbient)
+    .Sets = "ambient";
+}
+
+//------------------------------------------------------------------------------
+void AddStageOptions(Rows& rows, std::vector<StageChoice>& stages)
+{
+  vtkRelievoOption& deferred =
+    rows
+      .Add("--deferred", "",
+        "shades opaque surfaces once per pixel, after they are drawn: the same picture, but "
+        "for fill lights, faster if many surfaces overlap",
+        [&stages](const std::string&) { AddStage(stages, "deferred", "--deferred"); })
+      .NamedIn("Look", "Deferred shading");
+  deferred.Sets = "deferred";
+  vtkRelievoOption& stage = rows.Add("--stage", "NAME[:PARAMETER=VALUE,...]",
+    "runs a stage of the frame with these parameters; may be repeated; `relievo stages` lists them",
+    [&stages](const std::string& word) { stages.push_back(ParseStage(word)); });
+  stage.Repeats = true;
+  stage.Sets = "any";
 }
 }

@@ -4,6 +4,7 @@
 
 #include "Errors.h"
 #include "Options.h"
+#include "Rows.h"
 #include "Values.h"
 
 namespace scene
@@ -14,6 +15,8 @@ const char* const Stage = "tone";
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
 void TakeTone(RenderOptions& options, const std::string& word)
 {
   const char* const form =
@@ -54,5 +57,30 @@ void TakeExposure(RenderOptions& options, const std::string& word)
     RefuseValue("--exposure", word, "a number of stops from -20 to 20, or auto");
   }
   choice.Parameters.emplace_back("exposure", word);
+}
+}
+
+//------------------------------------------------------------------------------
+void AddToneOptions(Rows& rows, RenderOptions& all)
+{
+  vtkRelievoOption& tone =
+    rows
+      .Add("--tone", "OPERATOR[,white=W]",
+        "how light above 1 is shown in the picture: neutral, clamp, simple, reinhard or "
+        "reinhard-rgb; W is the light that reinhard and reinhard-rgb show as white (neutral, if "
+        "--exposure is given). The EXR stores the colour before the operator",
+        all, TakeTone)
+      .NamedIn("Look", "Tone");
+  tone.Sets = "tone";
+  tone.Words = { "neutral", "clamp", "simple", "reinhard", "reinhard-rgb" };
+  vtkRelievoOption& exposure =
+    rows
+      .Add("--exposure", "STOPS",
+        "multiplies the light by 2 to this power, -20 to 20; auto: makes the mean of the "
+        "drawn pixels a middle grey (0)",
+        all, TakeExposure)
+      .NamedIn("Look", "Exposure");
+  exposure.Sets = "tone";
+  exposure.Words = { "auto" };
 }
 }

@@ -1,19 +1,20 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""New options of `relievo render`: one that sets a parameter of a stage takes a row in Options.cxx
-and one in the page, another also a member and its use. After that the parser, the help, the
-completion, the manual page, Python, the viewer and its copied programs have them, and data sets
-take them. For testNewPass.py, which builds the tree anyway.
+"""New options of `relievo render`: one that sets a parameter of a stage takes a row with that
+stage's others and one in the page; another takes a member, and a row with its use, in the class
+that uses it. After that the parser, the help, the completion, the manual page, Python, the viewer
+and its copied programs have them, and data sets take them. For testNewPass.py, which builds the
+tree anyway.
 """
 
 import os
 
-ROWS = """  rows.AddOfStage(
-    "--sky-rays N", "ambient", "samples", "Rays of ambient occlusion from each pixel");
-  rows
+OF_STAGE = """  AddOfStage(rows, stages, "--sky-rays N", "ambient", "samples",
+    "Rays of ambient occlusion from each pixel");
+"""
+OF_LOOK = """  rows
     .AddNumber("--line-width", "PIXELS", "width of lines and edges, @bounds@ pixels (1)",
-      { 1.0, 20.0 },
-      [](RenderOptions& options, double width) { options.Look.LineWidth = width; })
+      { 1.0, 20.0 }, look.LineWidth)
     .ShowIn("Look", "Line width");
 """
 PAGE = """| `--sky-rays N` | rays of ambient occlusion from each pixel, 1 to 4096 | 64 |
@@ -31,11 +32,12 @@ def replace(path, *edits):
 
 def add(tree):
     """The rows, the member, its use, and the page."""
-    replace(tree / "scene" / "options" / "Options.cxx",
-            ('  rows.AddFlag("--edges",', ROWS + "{0}"))  # fmt: skip
+    replace(tree / "scene" / "options" / "Stages.cxx",
+            ("  vtkRelievoOption& deferred =\n", OF_STAGE + "{0}"))  # fmt: skip
     replace(tree / "look" / "colors" / "LookOptions.h",
             ("  bool Edges = false;\n", "{0}  double LineWidth = 1.0; ///< pixels\n"))  # fmt: skip
     replace(tree / "look" / "colors" / "Look.cxx",
+            ('  rows.AddFlag("--edges",', OF_LOOK + "{0}"),
             ("    if (look.PointSize > 1.0)\n",
              "    property->SetLineWidth(static_cast<float>(look.LineWidth));\n{0}"))  # fmt: skip
     replace(tree / "docs" / "command-line.md", ("| `--edges` |", PAGE + "{0}"))

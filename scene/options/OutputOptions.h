@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The files that `relievo render` writes.
+ */
+#ifndef OutputOptions_h
+#define OutputOptions_h
+
+#include "SceneNames.h"
+
+namespace scene
+{
+struct RenderOptions;
+
+///@{
+/// The rows of --layers, --png and --transparent, and of --exr and the later ones.
+void AddPictureOptions(Rows& rows, RenderOptions& options);
+void AddOutputOptions(Rows& rows, RenderOptions& options);
+///@}
+
+/// Throws UsageError unless there is a file and an output.
+void CheckOutputs(const RenderOptions& options);
+}
+
+#endif
