@@ -697,6 +697,15 @@ def particles(times, drifts):
         Axis("texels", log=True), panels(drifts, "steps", "largest texels", panel="body"))
 
 
+def find(folder, file):
+    """The path of a table in a folder, or in one of its rooms: folders without renderer.txt, which
+    another renderer's tables have."""
+    rooms = (path.parent for path in sorted(folder.glob(f"*/{file}")))
+    inside = [room for room in rooms if not (room / "renderer.txt").exists()]
+    return next((each / file for each in (folder, *inside) if (each / file).exists()),
+                folder / file)  # fmt: skip
+
+
 def read_renderer(folder):
     """The renderer of the frames in a folder's tables; empty: software OpenGL."""
     file = folder / "renderer.txt"
@@ -705,9 +714,9 @@ def read_renderer(folder):
 
 
 def charts_of(name, folder):
-    """The charts of a bench from its files in a folder, naming the renderer."""
+    """The charts of a bench from its files in a folder or its rooms, naming the renderer."""
     files, function = BENCHES[name]
-    rows = [read(folder / file) for file in files]
+    rows = [read(find(folder, file)) for file in files]
     try:
         charts = list(function(*rows))
     except (KeyError, ValueError) as error:  # an unknown column or method, or an invalid number
@@ -728,18 +737,18 @@ def parse(words):
         epilog="Exit status: 0; 1 if a file cannot be read or written; 2 for a wrong call; "
         f"{NO_MATPLOTLIB} without matplotlib (Debian's python3-matplotlib).")  # fmt: skip
     parser.add_argument("folder", metavar="FOLDER", type=pathlib.Path,
-                        help="folder of the CSV files")  # fmt: skip
+                        help="folder of the CSV files, or of folders of them")  # fmt: skip
     parser.add_argument("names", metavar="NAME", nargs="*",
                         help="a bench; default: all benches with CSV files in FOLDER")  # fmt: skip
     parser.add_argument("--out", metavar="DIR", type=pathlib.Path,
-                        help="output folder (default: FOLDER)")  # fmt: skip
+                        help="output folder (default: that of the CSV files)")  # fmt: skip
     call = parser.parse_intermixed_args(words)
     for name in call.names:  # a bench may have no charts
-        if name not in BENCHES and not (call.folder / f"{name}.csv").exists():
+        if name not in BENCHES and not find(call.folder, f"{name}.csv").exists():
             parser.error(f"no bench '{name}'; benches with charts: {', '.join(BENCHES)}")
     call.names = [name for name in call.names if name in BENCHES] if call.names else [
         name for name, (files, _) in BENCHES.items()
-        if all((call.folder / file).exists() for file in files)
+        if all(find(call.folder, file).exists() for file in files)
     ] or parser.error(f"'{call.folder}' has no CSV files of a bench")  # fmt: skip
     return call
 
@@ -750,11 +759,11 @@ def main(words):
     if call.names and not draw:
         print("charts.py: needs matplotlib, Debian's python3-matplotlib", file=sys.stderr)
         return NO_MATPLOTLIB
-    out = call.out or call.folder
     try:
-        charts = [chart for name in call.names for chart in charts_of(name, call.folder)]
-        out.mkdir(parents=True, exist_ok=True)
-        for chart in charts:
+        charts = [(call.out or find(call.folder, BENCHES[name][0][0]).parent, chart)
+                  for name in call.names for chart in charts_of(name, call.folder)]  # fmt: skip
+        for out, chart in charts:
+            out.mkdir(parents=True, exist_ok=True)
             save(draw(chart), out / chart.stem)
     except (BadTable, OSError) as error:
         print(f"charts.py: {error}", file=sys.stderr)

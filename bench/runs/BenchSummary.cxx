@@ -14,6 +14,7 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace relievoBench
@@ -22,21 +23,29 @@ namespace
 {
 constexpr char SummaryCsv[] = "summary.csv";
 constexpr char RunsCsv[] = "benches.csv";
+constexpr char RendererFile[] = "renderer.txt";
 
-std::vector<std::string> TablesIn(const std::string& folder)
+// Names and paths of the tables in a folder and in its rooms: folders without renderer.txt, which
+// another renderer's tables have.
+std::map<std::string, std::string> TablesIn(const std::string& folder, bool rooms = true)
 {
   vtksys::Directory directory;
-  std::vector<std::string> found;
+  std::map<std::string, std::string> found;
   directory.Load(folder);
   for (unsigned long i = 0; i < directory.GetNumberOfFiles(); ++i)
   {
     const std::string name = directory.GetFile(i);
+    const std::string path = folder + "/" + name;
     if (vtksys::SystemTools::StringEndsWith(name, ".csv") && name != SummaryCsv && name != RunsCsv)
     {
-      found.push_back(name);
+      found[name] = path;
+    }
+    else if (rooms && name[0] != '.' && vtksys::SystemTools::FileIsDirectory(path) &&
+      !vtksys::SystemTools::FileExists(path + "/" + RendererFile, true))
+    {
+      found.merge(TablesIn(path, false));
     }
   }
-  std::sort(found.begin(), found.end());
   return found;
 }
 
@@ -179,15 +188,17 @@ std::vector<ColumnComparison> CompareTables(
   const std::string& here, const std::string& there, std::vector<std::string>& differing)
 {
   std::vector<ColumnComparison> found;
-  for (const std::string& name : TablesIn(here))
+  const std::map<std::string, std::string> others = TablesIn(there);
+  for (const auto& [name, path] : TablesIn(here))
   {
     std::vector<std::vector<std::string>> a;
     std::vector<std::vector<std::string>> b;
-    if (!vtksys::SystemTools::FileExists(there + "/" + name, true))
+    const auto other = others.find(name);
+    if (other == others.end())
     {
       continue;
     }
-    if (!ReadRows(here + "/" + name, a) || !ReadRows(there + "/" + name, b) || !AreAlike(a, b))
+    if (!ReadRows(path, a) || !ReadRows(other->second, b) || !AreAlike(a, b))
     {
       differing.push_back(name);
       continue;

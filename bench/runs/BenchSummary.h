@@ -30,11 +30,12 @@ struct ColumnComparison
   double Least = 0., Most = 0.; ///< of there / here
 };
 
-/** Whether the folder has a table (CSV) to compare with. */
+/** Whether the folder, or one of its rooms, has a table (CSV) to compare with. */
 bool HasTables(const std::string& folder);
 
 /**
- * Compares the tables (CSV) of both folders row by row, if they have equal columns, and equal texts
+ * Compares the tables (CSV) of both folders, and of folders in them without renderer.txt, row by
+ * row, if they have equal columns, and equal texts
  * and keys in each row; keys are the leading columns by which all rows differ. Loads, half widths
  * of intervals and equal columns are left out. Files that cannot be compared are named in
  * `differing`.

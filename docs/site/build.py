@@ -43,17 +43,17 @@ TERMS = {
 
 # Pictures of the guide's cards for pages that begin with none.
 CARDS = {
-    "choosing-formats": "charts/depth-ratio.svg",
+    "choosing-formats": "charts/layers/depth-ratio.svg",
     "command-line": "pictures/lines-hidden.png",
     "exr": "pictures/layers.png",
-    "frame": "charts/effects.svg",
+    "frame": "charts/effects/effects.svg",
     "gltf": "pictures/windows-viewer-model.png",
     "install": "pictures/demo.png",
     "material-filters": "site/static/pairs/relief-on.png",
-    "parts": "charts/scale.svg",
-    "passes/Antialias": "charts/studio.svg",
+    "parts": "charts/programs/scale.svg",
+    "passes/Antialias": "charts/programs/studio.svg",
     "passes/Blend": "pictures/soft_borders.png",
-    "passes/Deferred": "charts/deferred.svg",
+    "passes/Deferred": "charts/lights/deferred.svg",
     "passes/EmptySpace": "pictures/smoke.png",
     "passes/Fill": "pictures/viewer.png",
     "passes/Tone": "site/static/pairs/tone-on.png",

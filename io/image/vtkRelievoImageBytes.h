@@ -104,11 +104,11 @@ T* Row(vtkImageData* image, std::uint64_t row)
 // (1: top and left). Other numbers count as 1.
 vtkSmartPointer<vtkImageData> Orient(vtkImageData* image, int orientation);
 
-// One for each format. They throw Failure. VTK's libpng, libjpeg and libtiff decode the first three.
-// VTK's own readers of the others cannot replace these: with the files of testImageFiles.py,
-// vtkBMPReader decodes 3 of 8 as written (in VTK 9.2 it crashes on palettes of 1 and 4 bits),
-// vtkTGAReader 4 of 11, and vtkHDRReader 6 of 11 in VTK 9.2 and none in 9.7. They also read files
-// only, and images of a model are bytes.
+// One for each format. They throw Failure. VTK's libpng, libjpeg and libtiff decode the first
+// three. VTK's readers of the others cannot replace these: of the files of testImageFiles.py,
+// vtkBMPReader decodes 3 of 8 right (VTK 9.2 crashes on palettes of 1 and 4 bits), vtkTGAReader 4
+// of 11, and vtkHDRReader 6 of 11 with VTK 9.2 and none with 9.7. They also read only files, and
+// images within a model are bytes.
 vtkSmartPointer<vtkImageData> DecodePNG(const Bytes& bytes);
 vtkSmartPointer<vtkImageData> DecodeJPEG(const Bytes& bytes);
 vtkSmartPointer<vtkImageData> DecodeTIFF(const Bytes& bytes);

@@ -44,8 +44,15 @@ UNSHOWN = {
 }  # fmt: skip
 
 
+def committed(pattern):
+    """The paths of such files in the rooms of docs/charts, by name; no name is in two rooms."""
+    paths = [path for path in TABLES.glob(f"*/{pattern}") if path.parent.name != "gpu"]
+    assert len({path.name for path in paths}) == len(paths)
+    return {path.name: path for path in paths}
+
+
 def rows(table):
-    with open(TABLES / f"{table}.csv", encoding="utf-8", newline="") as file:
+    with open(committed("*.csv")[f"{table}.csv"], encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
 
 
@@ -421,10 +428,20 @@ class Committed(unittest.TestCase):
 
     def test_every_table_is_drawn(self):
         tables = {file[:-4] for files, _ in charts.BENCHES.values() for file in files}
-        self.assertEqual(tables | UNSHOWN, {path.stem for path in TABLES.glob("*.csv")})
+        self.assertEqual(tables | UNSHOWN, {name[:-4] for name in committed("*.csv")})
         self.assertFalse(tables & UNSHOWN)
         for kind in ("png", "svg"):
-            self.assertEqual(set(self.figures), {path.stem for path in TABLES.glob(f"*.{kind}")})
+            self.assertEqual(set(self.figures), {name[:-4] for name in committed(f"*.{kind}")})
+
+    def test_charts_are_in_the_room_of_their_table(self):
+        tables, drawn = committed("*.csv"), committed("*.svg")
+        for name, (files, _) in charts.BENCHES.items():
+            room = tables[files[0]].parent
+            for each in charts.charts_of(name, TABLES):
+                self.assertEqual(drawn[f"{each.stem}.svg"].parent, room, each.stem)
+            self.assertEqual({tables[file].parent for file in files}, {room}, name)
+        for room in {path.parent for path in tables.values()}:
+            self.assertLessEqual(len(list(room.iterdir())), 25, room)
 
     def test_points_are_those_of_the_tables(self):
         self.assertEqual(set(TRUTH), set(self.figures))
@@ -498,6 +515,7 @@ class Committed(unittest.TestCase):
             self.assertEqual(len(found), 1, f"{method}: {found}")
 
     def test_two_runs_make_the_same_bytes_which_are_committed(self):
+        drawn = committed("*.svg") | committed("*.png")
         names = ("gbuffer", "shadows", "planner")  # that is enough to draw in another process
         with tempfile.TemporaryDirectory() as kept:
             here, there = pathlib.Path(kept), pathlib.Path(kept, "there")
@@ -509,9 +527,9 @@ class Committed(unittest.TestCase):
             for file in there.iterdir():
                 self.assertEqual(file.read_bytes(), (here / file.name).read_bytes(), file.name)
             for file in sorted(here.glob("*.*")):
-                committed = (TABLES / file.with_suffix(".svg").name).read_bytes()
-                if f"Matplotlib v{matplotlib.__version__}".encode() in committed:
-                    self.assertEqual((TABLES / file.name).read_bytes(), file.read_bytes(),
+                present = drawn[file.with_suffix(".svg").name].read_bytes()
+                if f"Matplotlib v{matplotlib.__version__}".encode() in present:
+                    self.assertEqual(drawn[file.name].read_bytes(), file.read_bytes(),
                                      f"{file.name}: run bench/charts.py docs/charts")  # fmt: skip
 
 
@@ -573,13 +591,25 @@ class Script(unittest.TestCase):
 
     def copy(self, *tables):
         for table in tables:
-            (self.folder / f"{table}.csv").write_bytes((TABLES / f"{table}.csv").read_bytes())
+            path = committed("*.csv")[f"{table}.csv"]
+            (self.folder / path.name).write_bytes(path.read_bytes())
 
     def test_charts_are_beside_the_tables(self):
         self.copy("depth", "capture")
         run(self.folder)
         drawn = {f"depth-{what}.{kind}" for what in ("bytes", "ratio") for kind in ("png", "svg")}
         self.assertEqual(self.names(), {"depth.csv", "capture.csv"} | drawn)
+
+    def test_charts_of_rooms_are_beside_their_tables(self):
+        (self.folder / "room").mkdir()
+        (self.folder / "gpu").mkdir()
+        self.copy("depth")
+        (self.folder / "depth.csv").rename(self.folder / "room" / "depth.csv")
+        (self.folder / "gpu" / "depth.csv").write_text("of another renderer")
+        (self.folder / "gpu" / "renderer.txt").write_text("A GPU")
+        run(self.folder)
+        self.assertEqual(len(list((self.folder / "room").iterdir())), 5)
+        self.assertEqual(len(list((self.folder / "gpu").iterdir())), 2)
 
     def test_a_bench_without_charts(self):
         self.copy("capture")

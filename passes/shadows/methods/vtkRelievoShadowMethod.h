@@ -52,8 +52,8 @@ struct vtkRelievoShadowErrorLaw
   double GetShare(int mapSize) const;
 };
 
-// For an even map: least squares, in logarithms, of docs/charts/shadows.csv: bunny, motorBike and
-// buildings, all lights and sizes, 600 x 600 pixels. Each value is within 2.5 times
+// For an even map: least squares, in logarithms, of docs/charts/shadows/shadows.csv: bunny,
+// motorBike and buildings, all lights and sizes, 600 x 600 pixels. Each value is within 2.5 times
 // (testShadowEstimate).
 constexpr vtkRelievoShadowErrorLaw vtkRelievoShadowMapLaw = { 1.92e-4, 0.91 };
 

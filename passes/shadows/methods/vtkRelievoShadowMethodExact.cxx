@@ -35,7 +35,7 @@ constexpr double CornerRoundings = 2.0;
 
 // Additional share for dense edges: OpenGL places corners in steps of 1/256 of a pixel, which
 // decides the side of an edge so close to a pixel's centre. Edges within half a pixel are 128 times
-// as many. Fitted to docs/charts/exact-hard.csv. Rounding by more than a step counts
+// as many. Fitted to docs/charts/shadows/exact-hard.csv. Rounding by more than a step counts
 // proportionally.
 constexpr double Steps = 256.0;
 constexpr double EdgeLaw = 0.6 / Steps;

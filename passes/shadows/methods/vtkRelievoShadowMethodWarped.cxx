@@ -25,8 +25,8 @@ constexpr double FocusPlaces = 8.0;
 // Component of a gaze along the map below which the camera sees all of the map equally well.
 constexpr double LeastAlong = 0.2;
 // Ratio of the farthest to the nearest visible depth from which an uneven map errs less than an
-// even one: by docs/charts/shadows.csv, not on a table, with a ratio below 3, but for rows to the
-// horizon.
+// even one: by docs/charts/shadows/shadows.csv, not on a table, with a ratio below 3, but for rows
+// to the horizon.
 constexpr double LeastDeep = 4.0;
 // Bound of the ratio of the widest texel to an even map's, for the range of the bias.
 constexpr double WidestTexel = 8.0;
