@@ -343,7 +343,7 @@ bool vtkRelievoLayerSource::Draw(vtkRelievoPass* pass, bool color)
   window->Start();
   if (!this->Renderer->IsActiveCameraCreated())
   {
-    this->Renderer->GetActiveCamera(); // made here: resetting makes none where nothing is seen
+    this->Renderer->GetActiveCamera(); // made here: resetting makes none if nothing is visible
     this->Renderer->ResetCamera();     // as windows do in their first frame
   }
   this->Renderer->Render();
@@ -439,7 +439,7 @@ void vtkRelievoLayerSource::AddCamera(
   if (!renderer || !image)
   {
     vtkGenericWarningMacro(
-      "AddCamera was given " << (image ? "no renderer; give it that which was drawn."
+      "AddCamera was given " << (image ? "no renderer; give it the one that drew the image."
                                        : "no image; give it a vtkImageData to add to."));
     return;
   }

@@ -129,12 +129,12 @@ void TestBadKeys()
   delete[] stranger->mAnimations[0]->mChannels;
   stranger->mAnimations[0]->mNumChannels = 2;
   stranger->mAnimations[0]->mChannels = new aiNodeAnim* [2] {
-    MakeChannel("nobody", { { 0., AboutZ(10.) } }),
+    MakeChannel("noBone", { { 0., AboutZ(10.) } }),
       MakeChannel("arm", { { 0., AboutZ(0.) }, { 25., AboutZ(50.) } })
   };
   reader = Read(*stranger, "stranger");
   RELIEVO_CHECK_NEAR(AngleAt(reader, 0.5), 25., 1e-4, "25 ticks a second");
-  RELIEVO_CHECK(HasNote(reader, "'nobody'") && HasNote(reader, "how long a tick is"));
+  RELIEVO_CHECK(HasNote(reader, "'noBone'") && HasNote(reader, "how long a tick is"));
 }
 
 // More bones than are kept, weights that do not sum to 1 or are none, a bone without a node.

@@ -115,7 +115,7 @@ void TestMirroringKeys()
   }
 }
 
-// The name is told, and that there is no such file is for those who draw it.
+// The reader gives the name; code that draws the texture reports a missing file.
 void TestNoTexture()
 {
   const auto scene = MakeScene({ { 0., AboutZ(0.) }, { 10., AboutZ(90.) } });

@@ -243,7 +243,7 @@ class Environments(CliTest):
         self.assert_colour(seen, 0)
 
     def test_shadow_and_layers(self):
-        """In a lamp's shadow a white surface shows the environment's light; layers know no sky."""
+        """In a lamp's shadow a white surface shows the environment's light; layers show no sky."""
         (self.folder / "lid.obj").write_text(
             "v -0.2 -0.2 0.5\nv 0.2 -0.2 0.5\nv 0.2 0.2 0.5\nv -0.2 0.2 0.5\nf 1 2 3 4\n"
         )

@@ -383,8 +383,8 @@ class FlatScenes(CliTest):
 
 
     def test_empty_pictures(self):
-        """A word where nothing is to be seen: of a wall from behind, which glTF leaves out, and of
-        black on black; none where something is, or where a given camera sees something."""
+        """A note about an empty picture: of a wall from behind, which glTF leaves out, and of black
+        on black; none if the picture or a given camera shows something."""
         corners = numpy.array([(x, y, 0) for x, y in CORNERS], "<f4")
         for faces, seen in (([0, 1, 2, 0, 2, 3], True), ([0, 2, 1, 0, 3, 2], False)):
             data = corners.tobytes() + numpy.array(faces, "<u2").tobytes()

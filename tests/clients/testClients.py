@@ -143,7 +143,7 @@ class PyVista(Clients):
             after.close()
 
     def test_screenshot(self):
-        """All samples of soft shadows, at once, and alpha where nothing is."""
+        """All samples of soft shadows, at once, and alpha in the background."""
         plotter = scene()
         plotter.relievo.shadows(soft_samples=16, sun_angle=5)
         with tempfile.TemporaryDirectory() as folder:

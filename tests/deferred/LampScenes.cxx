@@ -161,7 +161,7 @@ long long CheckLight(vtkImageData* image, const std::vector<Lamp>& lamps, int fa
   const Layers layers(image);
   long long lit = 0;
   double worst = 0.0; // relative to the limit
-  double dark = 0.0;  // light where nothing is
+  double dark = 0.0;  // light of the background
   for (int y = 0; y < layers.Height; ++y)
   {
     for (int x = 0; x < layers.Width; ++x)

@@ -398,7 +398,7 @@ void TestAllOrNothing()
   // Nothing at all.
   Scene empty;
   const relievoTest::Layers layers(empty.Renderer, { "ambient", "depth" });
-  RELIEVO_CHECK_NEAR(layers.Value("ambient", 5, 7), 1.0, 0.0, "where nothing is");
+  RELIEVO_CHECK_NEAR(layers.Value("ambient", 5, 7), 1.0, 0.0, "background");
 }
 
 void TestWhatHides()

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Hidden lines of vtkRelievoLinesStage: dashes against projected edges, rims and silhouettes in
-// double, and how much of them is dash; that there are none where nothing is hidden; scenes in
+// double, and how much of them is dash; that there are none if nothing is hidden; scenes in
 // which they could fail; that switched off they leave no trace.
 #include "Check.h"
 #include "GLCheck.h"

@@ -262,7 +262,7 @@ void TestAutoExposure()
   }
 }
 
-// Auto exposure does not depend on earlier frames; where nothing is drawn, it is of all pixels.
+// Auto exposure does not depend on earlier frames; in an empty picture, it is of all pixels.
 void TestAutoExposureIsOfThisFrame()
 {
   ToneScene scene(50, 40);

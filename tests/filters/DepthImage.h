@@ -40,7 +40,7 @@ struct DepthImage
 
 /**
  * Intersects each pixel's ray with plane and sphere, in coordinates relative to the view's centre.
- * The image has a double (or float) array "depth", +infinity where nothing is; an int array "id"
+ * The image has a double (or float) array "depth", +infinity in the background; an int array "id"
  * (0 plane, 1 sphere, -1 nothing); a float array "normal" of 3; and the camera in its field data.
  */
 DepthImage MakeDepthImage(const DepthView& view, bool asFloat = false);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Depth formulas: float against double, double against the projection matrix, packed words against
-// their closed-form error bounds, far / near from 10 to 1e7, and where nothing is (infinite depth).
+// their closed-form error bounds, far / near from 10 to 1e7, and the background (infinite depth).
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"

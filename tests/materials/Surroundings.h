@@ -46,7 +46,7 @@ struct Photo
 
 /**
  * The greatest difference, in 255ths, between a picture and `expected`, which gives the colour of a
- * pixel's unit ray (world), or a negative colour where nothing is to be compared. NaN if fewer than
+ * pixel's unit ray (world), or a negative colour for pixels to leave out. NaN if fewer than
  * `least` pixels are.
  */
 double WorstDifference(vtkRenderer* renderer,

@@ -26,7 +26,7 @@ double WorstThrough(vtkRenderer* renderer, const Light& truth)
   const Photo photo(renderer->GetRenderWindow());
   vtkCamera* camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> toWorld;
-  // Not the composite matrix: it knows no stereo.
+  // Not the composite matrix: it ignores stereo.
   vtkMatrix4x4::Multiply4x4(
     camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1., 1.),
     camera->GetModelViewTransformMatrix(), toWorld);

@@ -110,7 +110,7 @@ class Lights(judge.StageTest):
             self.scene.sun(shadows=shadows, intensity=intensity)
             pictures[name] = pv.picture(self.view).astype(float)
         self.view.RelievoShadowColored = 1
-        self.same(pv.picture(self.view), pictures["on"], "maps know no colours")
+        self.same(pv.picture(self.view), pictures["on"], "maps store no colours")
         self.view.RelievoShadowMethod = "Exact"
         found = pv.picture(self.view).astype(float)
         ball = numpy.isfinite(self.scene.sphere_hit(*self.scene.rays(stage.SIZE)))

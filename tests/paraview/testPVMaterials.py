@@ -282,7 +282,7 @@ class Materials(pv.PluginTest):
 
     def test_undo(self):
         stack = pv.UndoStack(self)
-        # The stack knows no state before the first change that it sees of an object.
+        # The stack has no state before the first change that it sees of an object.
         self.shown.RelievoNormalMap = materialScene.write_normals("leaning.png", lean(30))
         own = pv.picture(self.view)
         stack.change(self.shown, "RelievoMaterial", 1)

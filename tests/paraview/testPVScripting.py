@@ -233,7 +233,7 @@ class Scripting(judge.StageTest):
 
     def test_undo_and_redo(self):
         stack = pv.UndoStack(self, len(PROPERTIES))
-        # The stack knows no state before the first change that it sees of an object.
+        # The stack has no state before the first change that it sees of an object.
         self.view.RelievoSunAzimuth = 1.0
         self.view.RelievoSunAzimuth = PROPERTIES["RelievoSunAzimuth"][0]
         own = pv.picture(self.view)

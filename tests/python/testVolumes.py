@@ -857,7 +857,7 @@ class Stages(unittest.TestCase):
         image = relievo.capture(scene.renderer, ["depth"], size=SIZE)
         numpy.testing.assert_allclose(relievo.layer(image, "depth"), 63, atol=1e-4)
         self.assertIsNone(image.GetFieldData().GetAbstractArray("depthOf"))
-        # A frame in which fog needs the volumes' depth, but nobody the surfaces'.
+        # A frame in which fog needs the volumes' depth, and no stage needs the surfaces'.
         scene = self.box(0.3)
         relievo.stage(scene.renderer, "volumes", solid=True)
         window = window_of(scene.renderer, *SIZE)

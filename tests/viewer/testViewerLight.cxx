@@ -227,8 +227,8 @@ private Q_SLOTS:
     QCOMPARE(this->GetRows(), (QStringList{ "light 0|sun", "light 1|spot", "light 2|point" }));
     auto* list = this->GetList();
     QCOMPARE(list->indexOfTopLevelItem(list->currentItem()), 2);
-    list->currentItem()->setText(0, "lamp, by the door");
-    QCOMPARE(look::ParseLight(this->GetLights()[2]).Name, std::string("lamp, by the door"));
+    list->currentItem()->setText(0, "lamp, by the wall");
+    QCOMPARE(look::ParseLight(this->GetLights()[2]).Name, std::string("lamp, by the wall"));
     QVERIFY(this->GetLights()[2].find("name=lamp\\, by") != std::string::npos);
     this->GetButton("duplicate")->click();
     QCOMPARE(this->GetLights()[3], this->GetLights()[2]);
@@ -236,7 +236,7 @@ private Q_SLOTS:
     this->Select(1);
     this->GetButton("remove")->click();
     QCOMPARE(this->GetRows(),
-      (QStringList{ "light 0|sun", "lamp, by the door|point", "lamp, by the door|point" }));
+      (QStringList{ "light 0|sun", "lamp, by the wall|point", "lamp, by the wall|point" }));
     list->currentItem()->setText(0, "");
     QCOMPARE(this->GetRows()[1], QString("light 1|point"));
     viewer::Document* document = this->Window->GetDocument();
@@ -627,7 +627,7 @@ private Q_SLOTS:
     QCOMPARE(light.Position[1], 4.0); // as high as before
     QVERIFY(std::abs(light.Position[2]) < 0.03);
     QCOMPARE(this->Window->GetViewSettings().Get("--camera"), camera);
-    // Where nothing is the click is asked for again.
+    // After a click on the background, the viewer asks for another.
     this->Change([](scene::Settings& settings) { settings.Set("--ground", "off"); });
     button->click();
     const Words before = this->GetLights();

@@ -70,13 +70,13 @@ public:
   }
 
 private:
-  struct Door
+  struct Latch
   {
     std::mutex Lock;
     std::condition_variable Opened;
     bool IsOpen = false;
   };
-  std::shared_ptr<Door> Gate = std::make_shared<Door>(); // readers may outlive the file
+  std::shared_ptr<Latch> Gate = std::make_shared<Latch>(); // readers may outlive the file
   QMetaObject::Connection Connection;
 };
 }

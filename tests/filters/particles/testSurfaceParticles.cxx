@@ -96,7 +96,7 @@ void TestOnceAround()
   RELIEVO_CHECK_AT_MOST(quarterLargest, 2., "a quarter around, largest, texels");
 }
 
-// Downwards on a ball: all end at its lowest point, where nothing is left of the velocity.
+// Downwards on a ball: all end at its lowest point, where the tangential velocity is 0.
 void TestDownwards()
 {
   const Solid ball = relievoTest::MakeBall(1e-4);
