@@ -3,6 +3,7 @@
 #include "vtkRelievoLayerSource.h"
 
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -20,6 +21,7 @@
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLayersStage.h"
 #include "vtkRelievoLensCamera.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowStage.h"
@@ -33,6 +35,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <sstream>
 
@@ -183,6 +186,25 @@ std::string vtkRelievoLayerSource::GetLayer(int i)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoLayerSource::AddView(vtkCamera* camera)
+{
+  if (!camera)
+  {
+    vtkErrorMacro("AddView was given no camera.");
+    return;
+  }
+  this->Views.emplace_back(camera);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerSource::RemoveAllViews()
+{
+  this->Views.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoLayerSource::GetMTime()
 {
   this->MTime.Modified();
@@ -198,7 +220,8 @@ int vtkRelievoLayerSource::RequestInformation(
   {
     this->Renderer->GetTiledSize(&size[0], &size[1]);
   }
-  const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
+  const int slices = std::max(1, this->GetNumberOfViews());
+  const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, slices - 1 };
   outputs->GetInformationObject(0)->Set(
     vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   return 1;
@@ -242,7 +265,95 @@ int vtkRelievoLayerSource::RequestData(
     return 0;
   }
   const bool attached = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass()) != nullptr;
-  vtkSmartPointer<vtkRelievoPass> pass = vtkRelievoPass::Attach(this->Renderer);
+  vtkRelievoPass::Attach(this->Renderer);
+  const bool good = this->Views.empty() ? this->Capture(image) : this->CaptureViews(image);
+  if (!good)
+  {
+    image->Initialize();
+  }
+  if (!attached)
+  {
+    vtkRelievoPass::Detach(this->Renderer);
+  }
+  return good ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+// Whether the last frame made the layers of surfaces and nothing else.
+bool vtkRelievoLayerSource::IsAloneInFrame(vtkRelievoPass* pass)
+{
+  for (int i = 0; i < pass->GetNumberOfStages(); ++i)
+  {
+    vtkRelievoStage* stage = pass->GetStage(i);
+    if (stage != pass->GetLayersStage() && stage->GetReasonCode() == "ran")
+    {
+      return false;
+    }
+  }
+  const auto observes = [](vtkObject* object) {
+    return object->HasObserver(vtkCommand::StartEvent) || object->HasObserver(vtkCommand::EndEvent);
+  };
+  return pass->GetLayersStage() && !pass->GetController() && !observes(this->Renderer) &&
+    !observes(this->Renderer->GetRenderWindow());
+}
+
+//------------------------------------------------------------------------------
+// The first view tells whether the others can be drawn together.
+bool vtkRelievoLayerSource::CaptureViews(vtkImageData* image)
+{
+  const bool hadCamera = this->Renderer->IsActiveCameraCreated() != 0;
+  const vtkSmartPointer<vtkCamera> before = hadCamera ? this->Renderer->GetActiveCamera() : nullptr;
+  auto* pass = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass());
+  std::vector<vtkDataArray*> arrays;
+  const auto take = [&](std::size_t view, vtkImageData* layers) {
+    const int* size = layers->GetDimensions();
+    for (std::size_t k = 0; k < this->Layers.size(); ++k)
+    {
+      vtkDataArray* from = layers->GetPointData()->GetArray(this->Layers[k].c_str());
+      if (arrays.size() == k)
+      {
+        const auto array = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
+        array->SetName(from->GetName());
+        array->SetNumberOfComponents(from->GetNumberOfComponents());
+        array->SetNumberOfTuples(
+          from->GetNumberOfTuples() * static_cast<vtkIdType>(this->Views.size()));
+        image->SetDimensions(size[0], size[1], static_cast<int>(this->Views.size()));
+        image->GetPointData()->AddArray(array);
+        arrays.push_back(array);
+      }
+      const std::size_t bytes =
+        static_cast<std::size_t>(from->GetNumberOfValues()) * from->GetDataTypeSize();
+      std::memcpy(static_cast<char*>(arrays[k]->GetVoidPointer(0)) + view * bytes,
+        from->GetVoidPointer(0), bytes);
+    }
+  };
+  bool good = true;
+  bool together = false;
+  for (std::size_t i = 0; i < this->Views.size() && good && !together; ++i)
+  {
+    this->Renderer->SetActiveCamera(this->Views[i]);
+    vtkNew<vtkImageData> layers;
+    good = this->Capture(layers);
+    if (good)
+    {
+      take(i, layers);
+    }
+    if (i == 0 && good && this->IsAloneInFrame(pass))
+    {
+      const std::vector<vtkCamera*> others(this->Views.begin() + 1, this->Views.end());
+      together = pass->GetLayersStage()->DrawViews(this->Renderer, others, this->Layers,
+        [&take](std::size_t view, vtkImageData* found) { take(view + 1, found); });
+    }
+  }
+  this->Renderer->SetActiveCamera(before);
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// The layers of the renderer's camera.
+bool vtkRelievoLayerSource::Capture(vtkImageData* image)
+{
+  auto* pass = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass());
   std::vector<std::string> added;
   const bool waits = pass->GetWaitForSamples();
   bool color = false;
@@ -296,19 +407,11 @@ int vtkRelievoLayerSource::RequestData(
   {
     vtkRelievoLayerSource::AddCamera(this->Renderer, image, pass);
   }
-  else
-  {
-    image->Initialize();
-  }
   for (const std::string& layer : added)
   {
     pass->ReleaseLayer(layer);
   }
-  if (!attached)
-  {
-    vtkRelievoPass::Detach(this->Renderer);
-  }
-  return good ? 1 : 0;
+  return good;
 }
 
 //------------------------------------------------------------------------------
@@ -503,4 +606,5 @@ void vtkRelievoLayerSource::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << layer;
   }
   os << "\n";
+  os << indent << "Views: " << this->Views.size() << "\n";
 }

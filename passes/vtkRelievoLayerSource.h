@@ -36,6 +36,7 @@
 #include <string> // for names
 #include <vector> // for names
 
+class vtkCamera;
 class vtkImageData;
 class vtkRelievoPass;
 class vtkRenderer;
@@ -71,6 +72,20 @@ public:
   vtkSetMacro(HDR, bool);
   vtkGetMacro(HDR, bool);
   vtkBooleanMacro(HDR, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Cameras that take the place of the renderer's camera one after the other. The output then has
+   * one slice for each, (columns, rows, views), and no field data; its layers equal those of as
+   * many sources without views, bit for bit. Views of layers that depend on the surfaces alone
+   * (depth, range, normal, geometric_normal, position, albedo, actor, block, cell, arrays) are
+   * drawn together, in one frame, unless observers of the renderer's or its window's StartEvent
+   * want to see each. None (default): the renderer's camera.
+   */
+  void AddView(vtkCamera* camera);
+  void RemoveAllViews();
+  int GetNumberOfViews() { return static_cast<int>(this->Views.size()); }
   ///@}
 
   /**
@@ -115,10 +130,14 @@ private:
   vtkRelievoLayerSource(const vtkRelievoLayerSource&) = delete;
   void operator=(const vtkRelievoLayerSource&) = delete;
 
+  bool Capture(vtkImageData* image);
+  bool CaptureViews(vtkImageData* image);
+  bool IsAloneInFrame(vtkRelievoPass* pass);
   bool Draw(vtkRelievoPass* pass, bool color);
 
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<std::string> Layers;
+  std::vector<vtkSmartPointer<vtkCamera>> Views;
   bool HDR = false;
 };
 

@@ -3,6 +3,8 @@
 #include "vtkRelievoLayersStage.h"
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
@@ -16,6 +18,7 @@
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoFrameScene.h"
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferSplice.h"
 #include "vtkRelievoGBufferTarget.h"
@@ -30,6 +33,7 @@
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoSurfaces.h"
 #include "vtkRelievoVTKVersions.h"
+#include "vtkRelievoViewsTarget.h"
 #include "vtkRelievoWordFormats.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -102,9 +106,17 @@ public:
   bool Alternating = false;              // actors that share a mapper need different shaders
   std::map<vtkMapper*, std::string> Lit; // reasons why VTK lights a mapper's surfaces
   std::map<vtkShaderProgram*, std::string> LeftOut; // reasons of this frame's programs
+  // What this frame's programs do: whether they write layers, and the source of the primitive ids.
+  struct Program
+  {
+    bool Writes;
+    int PrimitiveSource;
+  };
+  std::map<vtkShaderProgram*, Program> Programs;
   bool DrawsWithoutLayers =
-    false;            // a draw writes no layers, and its pixels cannot be told from others
-  bool Valid = false; // the textures hold the last frame's layers
+    false;                // a draw writes no layers, and its pixels cannot be told from others
+  bool Valid = false;     // the textures hold the last frame's layers
+  bool AllWritten = true; // each draw of DrawViews has written layers
 
   // Computes the layout for the stage's requested layers.
   void Arrange(vtkRelievoLayersStage& self, const vtkRelievoFrameContext& context);
@@ -215,6 +227,7 @@ bool vtkRelievoLayersStage::Prepare(vtkRelievoFrameContext& context)
     }
   }
   in.LeftOut.clear();
+  in.Programs.clear();
   in.NotShared.clear();
   if (in.ShadingAsked && !in.Shading && context.GetAsked(this).size() == 1)
   {
@@ -373,6 +386,103 @@ void vtkRelievoLayersStage::DrawOwnPass(vtkRelievoFrameContext& context)
       vtkErrorMacro("No layers: " << error << ".");
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Whether a view follows from the scene, its camera and the layout alone.
+bool vtkRelievoLayersStage::CanRepeat(
+  const vtkRelievoFrameScene& scene, vtkRenderer* renderer) const
+{
+  const Internals& in = *this->Internal;
+  const vtkRelievoGBufferLayout& layout = in.Layout;
+  const auto choosesDetail = [](const vtkRelievoFrameProp& each) {
+    return each.Prop->IsA("vtkLODProp3D") || each.Prop->IsA("vtkLODActor") ||
+      each.Prop->IsA("vtkQuadricLODActor");
+  };
+  return in.Valid && !this->Shared && in.Renderer == renderer && !layout.Surface &&
+    layout.Shadows.empty() && !layout.Places && !renderer->GetUseHiddenLineRemoval() &&
+    !vtkRelievoSurfaces::AreMoved(scene) &&
+    std::none_of(scene.Props.begin(), scene.Props.end(), choosesDetail) &&
+    (!RELIEVO_VTK_WIDE_LINE_NORMALS ||
+      vtkRelievoSurfaces::FindLineShaders(scene) == in.LineShaders);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLayersStage::DrawViews(vtkRenderer* renderer, const std::vector<vtkCamera*>& cameras,
+  const std::vector<std::string>& names,
+  const std::function<void(std::size_t, vtkImageData*)>& take)
+{
+  Internals& in = *this->Internal;
+  vtkRelievoFrameScene scene;
+  scene.Props = vtkRelievoFrameScene::FindVisible(renderer);
+  if (!this->CanRepeat(scene, renderer))
+  {
+    return false;
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  window->MakeCurrent();
+  vtkRelievoViewsTarget target(
+    window, in.Layout, in.View.Viewport[2], in.View.Viewport[3], static_cast<int>(cameras.size()));
+  // Each view has a table of its draws.
+  constexpr std::size_t mostDraws = 1 << 16;
+  const std::size_t most = std::min(static_cast<std::size_t>(target.GetNumberOfViews()),
+    std::max<std::size_t>(1, mostDraws / std::max<std::size_t>(1, scene.Props.size())));
+  vtkRelievoOpaqueProps all;
+  all.Collect(scene);
+  for (std::size_t first = 0; first < cameras.size(); first += most)
+  {
+    const std::size_t count = std::min(most, cameras.size() - first);
+    std::vector<vtkRelievoFrameCamera> views(count);
+    std::vector<vtkRelievoDrawTable> draws(count);
+    {
+      const vtkRelievoScopedState kept(window->GetState());
+      if (count == 0 || !target.Begin())
+      {
+        return false;
+      }
+      all.AddPass(this);
+      in.Writing = in.AllWritten = true;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        renderer->SetActiveCamera(cameras[first + i]);
+        views[i].Take(renderer, nullptr);
+        in.View = views[i];
+        in.SetMode(*this,
+          vtkRelievoGBufferSplice::Mode{
+            true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel, in.PrimitiveIds, false });
+        vtkRelievoFrameScene seen = scene;
+        seen.Cull(renderer);
+        in.Props.Collect(seen);
+        in.Draws.Clear();
+        target.Draw(static_cast<int>(i));
+        in.Props.RenderOpaque(renderer, false);
+        draws[i] = in.Draws;
+      }
+      all.RemovePass(this);
+      in.Writing = false;
+      in.Valid = false;
+      target.End();
+    }
+    const int region[4] = { 0, 0, in.View.Viewport[2], in.View.Viewport[3] };
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      target.Select(static_cast<int>(i));
+      vtkRelievoLayerReader reader(in.Layout, target, region, views[i]);
+      reader.SetNormalSpaceIsWorld(this->NormalSpace == WORLD);
+      reader.SetRefineDepth(in.RefinesDepth);
+      reader.SetDraws(&draws[i], &in.Links, renderer);
+      vtkNew<vtkImageData> image;
+      for (const std::string& name : names)
+      {
+        if (!in.AllWritten || !reader.Read(name, image).empty())
+        {
+          return false;
+        }
+      }
+      take(first + i, image);
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -623,9 +733,19 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
   static_cast<vtkOpenGLRenderWindow*>(in.Renderer->GetRenderWindow())
     ->GetState()
     ->vtkglGetBooleanv(GL_COLOR_WRITEMASK, mask);
-  const bool writes = (mask[0] || mask[1] || mask[2] || mask[3]) &&
-    program->GetFragmentShader()->GetSource().find("relievoOutput1") != std::string::npos;
+  auto known = in.Programs.find(program);
+  if (known == in.Programs.end())
+  {
+    const std::string fragment = program->GetFragmentShader()->GetSource();
+    known = in.Programs
+              .emplace(program,
+                Internals::Program{ fragment.find("relievoOutput1") != std::string::npos,
+                  vtkRelievoGBufferSplice::GetPrimitiveSource(fragment) })
+              .first;
+  }
+  const bool writes = (mask[0] || mask[1] || mask[2] || mask[3]) && known->second.Writes;
   in.Target.WriteLayers(writes);
+  in.AllWritten = in.AllWritten && writes;
   if (!writes)
   {
     const bool seen = mask[0] || mask[1] || mask[2] || mask[3];
@@ -642,9 +762,7 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
   }
   if (in.Layout.IdWord >= 0)
   {
-    const int source =
-      vtkRelievoGBufferSplice::GetPrimitiveSource(program->GetFragmentShader()->GetSource());
-    const std::uint32_t first = in.Draws.Add(actor, mapper, source);
+    const std::uint32_t first = in.Draws.Add(actor, mapper, known->second.PrimitiveSource);
     if (in.Draws.IsLastAmbiguous() && in.Reported.IsNew("blocks"))
     {
       vtkErrorMacro("No cell and block ids of some composite data: this VTK gives primitives of "

@@ -21,10 +21,14 @@
 #include "vtkRelievoGBufferModule.h" // for the export macro
 #include "vtkRelievoStage.h"
 
-#include <memory> // for the internals
+#include <functional> // for views
+#include <memory>     // for the internals
 
+class vtkCamera;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
+class vtkRenderer;
+struct vtkRelievoFrameScene;
 
 class VTKRELIEVOGBUFFER_EXPORT vtkRelievoLayersStage : public vtkRelievoStage
 {
@@ -158,6 +162,16 @@ public:
 #ifndef __VTK_WRAP__
   /** Reads layers of the last frame: see vtkRelievoStage::ReadLayers. */
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
+
+  /**
+   * Draws the layers of the last frame again, for other cameras of the same renderer, without a
+   * frame for each, and calls `take` with the number of each camera and its layers, which equal
+   * those of a frame bit for bit. False if each camera needs a frame of its own: the last one drew
+   * a picture, or layers that depend on more than the surfaces and the camera.
+   */
+  bool DrawViews(vtkRenderer* renderer, const std::vector<vtkCamera*>& cameras,
+    const std::vector<std::string>& names,
+    const std::function<void(std::size_t, vtkImageData*)>& take);
 #endif
 
   /**
@@ -213,6 +227,7 @@ private:
   vtkRelievoLayersStage(const vtkRelievoLayersStage&) = delete;
   void operator=(const vtkRelievoLayersStage&) = delete;
 
+  bool CanRepeat(const vtkRelievoFrameScene& scene, vtkRenderer* renderer) const;
   void DrawOwnPass(vtkRelievoFrameContext& context);
 
   class Internals;

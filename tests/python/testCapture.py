@@ -16,6 +16,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkCamera,
+    vtkGlyph3DMapper,
     vtkLight,
     vtkPointGaussianMapper,
     vtkPolyDataMapper,
@@ -509,6 +510,69 @@ class Errors(unittest.TestCase):
         ):
             with self.subTest(says), self.assertRaisesRegex(ValueError, says):
                 relievo.capture_many(self.renderer, *wrong)
+
+    def test_many_cameras_together(self):
+        """Views of one frame equal single captures of props that VTK's cullers leave out, of lines
+        and points wider than a pixel, of glyphs and blocks, and beyond one batch of views."""
+        renderer = self.renderer
+
+        def ball(*center):
+            source = vtkSphereSource()
+            source.SetCenter(center)
+            return scenes.add(renderer, source)
+
+        for place in ((3, 0, 0), (0, 3, 0), (0, 0, -40)):
+            ball(*place)
+        wires = ball(1, 1, 0)
+        wires.GetProperty().SetRepresentationToWireframe()
+        wires.GetProperty().SetLineWidth(5)
+        dots = ball(-1, 1, 0)
+        dots.GetProperty().SetRepresentationToPoints()
+        dots.GetProperty().SetPointSize(7)
+        glyphs = vtkGlyph3DMapper()
+        corners, small = vtkPlaneSource(), vtkSphereSource()
+        glyphs.SetInputConnection(corners.GetOutputPort())
+        glyphs.SetSourceConnection(small.GetOutputPort())
+        glyphs.SetScaleFactor(0.2)
+        instances = vtkActor()
+        instances.SetMapper(glyphs)
+        instances.SetPosition(0, -2, 0)
+        renderer.AddActor(instances)
+        light = vtkLight()
+        light.SetLightTypeToHeadlight()
+        renderer.AddLight(light)
+        lots = numpy.random.default_rng(4)
+        cameras = []
+        for i in range(130):  # 128 views of 64 x 64 pixels and two words fill a batch
+            camera = vtkCamera()
+            camera.SetPosition(2 * lots.normal(size=3))
+            camera.SetFocalPoint(lots.normal(size=3))
+            camera.SetViewUp(lots.normal(size=3))
+            camera.SetClippingRange(0.01, 60 if i % 3 else 900)  # beyond 1e4: another shader
+            camera.SetParallelProjection(i % 7 == 5)
+            cameras.append(camera)
+        moved = []
+        light.AddObserver("ModifiedEvent", lambda *_: moved.append(1))
+        for layers, apart in ((["depth"], False), (["normal", "cell", "actor", "Normals"], False),
+                              (["depth", "color"], False), (["depth"], True)):
+            with self.subTest(layers, apart=apart):
+                views = cameras[:130 if layers == ["depth"] else 12]
+                renderer.SetActiveCamera(cameras[-1])
+                renderer.RemoveAllObservers()
+                if apart:
+                    renderer.AddObserver("StartEvent", lambda *_: None)
+                moved.clear()
+                seen = relievo.capture_many(renderer, views, layers, size=(64, 64))
+                frames = len(moved)
+                self.assertEqual(frames > len(views) / 2, apart or "color" in layers)
+                for i, camera in enumerate(views):
+                    renderer.SetActiveCamera(camera)
+                    image = relievo.capture(renderer, layers, size=(64, 64))
+                    for name in layers:
+                        numpy.testing.assert_array_equal(
+                            seen[name][i], relievo.layer(image, name), f"{name} of view {i}")
+        self.assertGreater(numpy.isfinite(seen["depth"]).mean(), 0.05)
+        self.assertLess(numpy.isfinite(seen["depth"]).mean(), 0.9)
 
     def test_unknown_layer(self):
         with self.assertRaises(ValueError) as caught:

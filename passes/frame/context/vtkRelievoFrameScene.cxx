@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFrameScene.h"
 
+#include "vtkCuller.h"
+#include "vtkCullerCollection.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+
+#include <map>
+#include <utility>
 
 //------------------------------------------------------------------------------
 std::vector<vtkRelievoFrameLight> vtkRelievoFrameScene::FindLights(vtkRenderer* renderer)
@@ -51,4 +56,34 @@ void vtkRelievoFrameScene::Take(const vtkRenderState* s)
     this->Props[i].Prop = s->GetPropArray()[i];
     vtkRelievoPropParts::Collect(this->Props[i].Prop, this->Props[i].Parts);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameScene::Cull(vtkRenderer* renderer)
+{
+  std::vector<vtkProp*> props;
+  std::map<vtkProp*, vtkRelievoFrameProp*> found;
+  for (vtkRelievoFrameProp& each : this->Props)
+  {
+    props.push_back(each.Prop);
+    found[each.Prop] = &each;
+  }
+  int count = static_cast<int>(props.size());
+  int isTimed = 0;
+  double time = count;
+  vtkCollectionSimpleIterator it;
+  renderer->GetCullers()->InitTraversal(it);
+  while (vtkCuller* culler = renderer->GetCullers()->GetNextCuller(it))
+  {
+    time = culler->Cull(renderer, props.data(), count, isTimed);
+  }
+  std::vector<vtkRelievoFrameProp> drawn;
+  for (int i = 0; i < count; ++i)
+  {
+    vtkProp* prop = props[static_cast<std::size_t>(i)];
+    const double share = isTimed ? prop->GetRenderTimeMultiplier() : 1.0;
+    prop->SetAllocatedRenderTime(share / time * renderer->GetAllocatedRenderTime(), renderer);
+    drawn.push_back(std::move(*found[prop]));
+  }
+  this->Props = std::move(drawn);
 }

@@ -36,6 +36,10 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoFrameScene
 
   void Take(const vtkRenderState* s);
 
+  // Leaves the props that VTK draws in the renderer's present camera, in its order, as
+  // vtkRenderer::Render does before a frame.
+  void Cull(vtkRenderer* renderer);
+
   // All visible props of the renderer, in its order, those outside the view included, since their
   // shadows may be visible. Actors are those of the present moment: drawing may choose another
   // level of detail.

@@ -16,12 +16,12 @@
 #include "vtkRelievoDrawTable.h"
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoGBufferLayout.h"
-#include "vtkRelievoGBufferTarget.h"
 #include "vtkRelievoImageMemory.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoRows.h"
 #include "vtkRelievoWordDecoder.h"
 #include "vtkRelievoWordFormats.h"
+#include "vtkRelievoWordSource.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -93,9 +93,9 @@ void ForPixels(const int region[4], Function f)
 
 //------------------------------------------------------------------------------
 vtkRelievoLayerReader::vtkRelievoLayerReader(const vtkRelievoGBufferLayout& layout,
-  vtkRelievoGBufferTarget& target, const int region[4], const vtkRelievoFrameCamera& view)
+  vtkRelievoWordSource& source, const int region[4], const vtkRelievoFrameCamera& view)
   : Layout(layout)
-  , Target(target)
+  , Source(source)
   , Region{ region[0], region[1], region[2], region[3] }
   , View(view)
   , Words(static_cast<std::size_t>(layout.GetNumberOfWords()))
@@ -148,7 +148,7 @@ const std::uint32_t* vtkRelievoLayerReader::GetWords(int word)
         vtkRelievoNewImageMemory(this->GetNumberOfPixels() * sizeof(std::uint32_t))));
       planes.push_back(this->Words[i].get());
     }
-    this->Target.Read(word / 4, this->Region, planes);
+    this->Source.Read(word / 4, this->Region, planes);
   }
   return this->Words[word].get();
 }

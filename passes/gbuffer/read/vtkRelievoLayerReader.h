@@ -19,8 +19,8 @@ class vtkDataArray;
 class vtkFloatArray;
 class vtkImageData;
 class vtkRelievoDrawTable;
-class vtkRelievoGBufferTarget;
 class vtkRelievoMeshLinks;
+class vtkRelievoWordSource;
 class vtkRenderer;
 struct vtkRelievoGBufferLayout;
 struct vtkRelievoLayer;
@@ -29,8 +29,8 @@ struct vtkRelievoFrameCamera;
 class vtkRelievoLayerReader
 {
 public:
-  // Reads the region x y w h of the target's textures.
-  vtkRelievoLayerReader(const vtkRelievoGBufferLayout& layout, vtkRelievoGBufferTarget& target,
+  // Reads the region x y w h of the source.
+  vtkRelievoLayerReader(const vtkRelievoGBufferLayout& layout, vtkRelievoWordSource& source,
     const int region[4], const vtkRelievoFrameCamera& view);
 
   // Adds the channels of the layer to the layout.
@@ -78,7 +78,7 @@ private:
   vtkSmartPointer<vtkDataArray> ReadNamedArray(const std::string& layer, std::string& error);
 
   const vtkRelievoGBufferLayout& Layout;
-  vtkRelievoGBufferTarget& Target;
+  vtkRelievoWordSource& Source;
   int Region[4];
   const vtkRelievoFrameCamera& View;
   bool WorldNormals = true;

@@ -9,6 +9,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoSoftwareOpenGL.h"
+#include "vtkRelievoTexels.h"
 #include "vtkRelievoTextureRoom.h"
 #include "vtkTextureObject.h"
 
@@ -17,24 +18,9 @@
 
 namespace
 {
-struct TexelFormat
-{
-  unsigned int Internal;
-  unsigned int External;
-};
-
-TexelFormat GetTexelFormat(int channels)
-{
-  switch (channels)
-  {
-    case 1:
-      return { GL_R32UI, GL_RED_INTEGER };
-    case 2:
-      return { GL_RG32UI, GL_RG_INTEGER };
-    default:
-      return { GL_RGBA32UI, GL_RGBA_INTEGER };
-  }
-}
+using relievo::ClearToBackground;
+using relievo::Gather;
+using relievo::TexelFormat;
 
 // The first unused color attachment from the top.
 unsigned int FindFreeAttachment(unsigned int from)
@@ -54,28 +40,6 @@ unsigned int FindFreeAttachment(unsigned int from)
 
 constexpr int BandBytes = 1 << 18;
 
-// Copies every `stride`-th word.
-void Gather(const std::uint32_t* from, int stride, std::uint32_t* to, std::ptrdiff_t count)
-{
-  for (std::ptrdiff_t i = 0; i < count; ++i)
-  {
-    to[i] = from[i * stride];
-  }
-}
-
-// Draw buffer 0 belongs to the colour.
-void ClearToBackground(const vtkRelievoGBufferLayout& layout)
-{
-  for (int i = 0; i < layout.GetNumberOfAttachments(); ++i)
-  {
-    GLuint words[4] = { 0, 0, 0, 0 };
-    for (int k = 0; k < 4 && 4 * i + k < layout.GetNumberOfWords(); ++k)
-    {
-      words[k] = layout.Background[4 * i + k];
-    }
-    glClearBufferuiv(GL_COLOR, 1 + i, words);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -131,7 +95,7 @@ std::string vtkRelievoGBufferTarget::Allocate(
   this->Release(window);
   for (int count : channels)
   {
-    const TexelFormat format = GetTexelFormat(count);
+    const TexelFormat format = TexelFormat::Get(count);
     const std::string fault =
       vtkRelievoFindTextureFault(format.Internal, format.External, GL_UNSIGNED_INT, width, height);
     if (!fault.empty())
@@ -347,7 +311,7 @@ bool vtkRelievoGBufferTarget::Read(
   // framebuffer that is no longer bound, and returns old content for some tiles.
   glFinish();
   const int width = region[2];
-  const GLenum format = GetTexelFormat(channels).External;
+  const GLenum format = TexelFormat::Get(channels).External;
   const auto gather = [&](const std::uint32_t* band, int y, int rows) {
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * width;
     for (std::size_t k = 0; k < planes.size(); ++k)

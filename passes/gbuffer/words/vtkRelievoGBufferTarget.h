@@ -6,6 +6,7 @@
 #ifndef vtkRelievoGBufferTarget_h
 #define vtkRelievoGBufferTarget_h
 
+#include "vtkRelievoWordSource.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -19,11 +20,11 @@ class vtkTextureObject;
 class vtkWindow;
 struct vtkRelievoGBufferLayout;
 
-class vtkRelievoGBufferTarget
+class vtkRelievoGBufferTarget : public vtkRelievoWordSource
 {
 public:
   vtkRelievoGBufferTarget() = default;
-  ~vtkRelievoGBufferTarget();
+  ~vtkRelievoGBufferTarget() override;
   vtkRelievoGBufferTarget(const vtkRelievoGBufferTarget&) = delete;
   void operator=(const vtkRelievoGBufferTarget&) = delete;
 
@@ -44,9 +45,8 @@ public:
   // Between Begin/Attach and End/Detach: whether the following draw calls write the layers.
   void WriteLayers(bool on);
 
-  // Reads the attachment's words for all pixels of the region, row 0 at the bottom, each word into
-  // its own plane.
-  bool Read(int attachment, const int region[4], const std::vector<std::uint32_t*>& planes);
+  bool Read(
+    int attachment, const int region[4], const std::vector<std::uint32_t*>& planes) override;
 
   vtkTextureObject* GetTexture(int attachment);
   vtkIdType GetBytes() const;

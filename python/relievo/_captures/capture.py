@@ -5,7 +5,7 @@
 import os
 import threading
 from collections.abc import Iterable
-from contextlib import closing, contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext
 from typing import Any
 
 import numpy
@@ -21,6 +21,7 @@ from .._sight.cameras import CameraModel, sensor_of
 from .._sight.rays import Rays, rays
 from .._sight.sight import FLOW_LAYERS, NEEDS_MOMENT, Moment, layers_by_rays
 from ..vtk import vtkCommonCore
+from ..vtk.util.numpy_support import vtk_to_numpy
 from ..vtk.vtkCommonCore import vtkVersion
 from ..vtk.vtkCommonDataModel import vtkImageData
 from ..vtk.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
@@ -142,26 +143,23 @@ def capture_many(renderer, cameras, layers=("depth",), size=None, hdr=False) -> 
     if not cameras or not (by_rays or all(is_a(each, "vtkCamera") for each in cameras)):
         raise ValueError(f"cameras: got {describe(given)}, expected vtkCameras or CameraModels")
     if not by_rays:
-        views = _drawn_by(renderer, cameras, layers, size, hdr)
-    elif size not in (None, cameras[0].size) or len({each.size for each in cameras}) != 1:
+        return _drawn_by(renderer, cameras, layers, size, hdr)
+    if size not in (None, cameras[0].size) or len({each.size for each in cameras}) != 1:
         raise ValueError(f"size: got {size!r} and CameraModels of the sizes "
                          f"{sorted({each.size for each in cameras})}, expected models of one size, "
                          "which is that of the views")
-    else:
-        views = _seen_by(renderer, cameras, layers, hdr)
     arrays = {}
-    with closing(views):
-        for i, image in enumerate(views):
-            for name in layers:
-                values = layer(image, name)
-                if i == 0:
-                    arrays[name] = numpy.empty((len(cameras), *values.shape), values.dtype)
-                arrays[name][i] = values
+    for i, image in enumerate(_seen_by(renderer, cameras, layers, hdr)):
+        for name in layers:
+            values = layer(image, name)
+            if i == 0:
+                arrays[name] = numpy.empty((len(cameras), *values.shape), values.dtype)
+            arrays[name][i] = values
     return arrays
 
 
 def _drawn_by(renderer, cameras, layers, size, hdr):
-    """An image for each camera, drawn in one window; each is valid until the next one."""
+    """Arrays of the layers in all cameras, drawn in one window."""
     renderer, made = renderer_of(renderer)
     size = _SIZE_OF_DATA if made and size is None else size
     size = None if size is None else _pixels(size)
@@ -169,21 +167,23 @@ def _drawn_by(renderer, cameras, layers, size, hdr):
     source.SetHDR(bool(hdr))
     for name in layers:
         source.AddLayer(name)
+    for camera in cameras:
+        source.AddView(camera)
     found = kept(renderer)
     held = nullcontext() if found is None else found.held()
-    had_camera = renderer.IsActiveCameraCreated()
-    before = renderer.GetActiveCamera() if had_camera else None
     with held, _window_of(renderer, size), _frame_of(renderer) as frame:
         source.SetRenderer(renderer)
-        try:
-            with Watch(frame.GetLayersStage(), frame, source) as watch:
-                for camera in cameras:
-                    renderer.SetActiveCamera(camera)
-                    source.Update()
-                    _check_drawn(watch, source, frame, renderer, layers)
-                    yield source.GetOutput()
-        finally:
-            renderer.SetActiveCamera(before)
+        with Watch(frame.GetLayersStage(), frame, source) as watch:
+            source.Update()
+        _check_drawn(watch, source, frame, renderer, layers)
+    views = source.GetOutput()
+    columns, rows, _ = views.GetDimensions()
+    arrays = {}
+    for name in layers:
+        values = vtk_to_numpy(views.GetPointData().GetArray(name))
+        values = values.reshape(len(cameras), rows, columns, *values.shape[1:])
+        arrays[name] = numpy.ascontiguousarray(values[:, ::-1])
+    return arrays
 
 
 def _check_drawn(watch, source, frame, renderer, names):
@@ -403,11 +403,14 @@ def _frame_of(renderer):
             renderer.SetPass(frame)
 
     # The last observer: others set passes in theirs.
-    tag = renderer.AddObserver("StartEvent", keep, -1.0)
+    window = renderer.GetRenderWindow()
+    watched = renderer.HasObserver("StartEvent") or window.HasObserver("StartEvent")
+    tag = renderer.AddObserver("StartEvent", keep, -1.0) if watched else None
     try:
         yield frame
     finally:
-        renderer.RemoveObserver(tag)
+        if watched:
+            renderer.RemoveObserver(tag)
         take(renderer)
 
 
