@@ -501,6 +501,20 @@ class Errors(unittest.TestCase):
         image = relievo.capture(self.renderer, ["color", "depth"], camera=sensors[0])
         for name, views in pictures.items():
             numpy.testing.assert_array_equal(views[1], relievo.layer(image, name), name)
+        # The tree stays for the next capture, and follows the scene.
+        self.renderer.GetActors().GetLastActor().SetScale(1.5)
+        with mock.patch("relievo._captures.capture.rays", wraps=relievo.rays) as made:
+            kept = relievo.layer(relievo.capture(self.renderer, "depth", camera=sensors[0]),
+                                 "depth")  # fmt: skip
+        made.assert_not_called()
+        new = relievo.capture(relievo.rays(self.renderer), "depth", camera=sensors[0])
+        numpy.testing.assert_array_equal(kept, relievo.layer(new, "depth"))
+        self.assertTrue((kept != pictures["depth"][0]).any())
+        other = vtkRenderer()
+        scenes.add(other, vtkSphereSource())
+        with mock.patch("relievo._captures.capture.rays", wraps=relievo.rays) as made:
+            relievo.capture(other, "depth", camera=sensors[0])
+        made.assert_called_once()
         for says, *wrong in (
             ("cameras: got \\[\\]", []),
             ("cameras: got None", None),

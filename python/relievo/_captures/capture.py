@@ -4,6 +4,7 @@
 
 import os
 import threading
+import weakref
 from collections.abc import Iterable
 from contextlib import contextmanager, nullcontext
 from typing import Any
@@ -12,7 +13,7 @@ import numpy
 
 from .._arguments.arrays import why_not
 from .._arguments.errors import Watch, describe, is_a
-from .._arguments.renderers import renderer_of
+from .._arguments.renderers import inner_renderer, renderer_of
 from .._frames.frame import put, take
 from .._frames.keep import kept
 from .._images.image import from_image, layer
@@ -135,7 +136,7 @@ def capture_many(renderer, cameras, layers=("depth",), size=None, hdr=False) -> 
 
     Returns a dict of arrays by layer, (n, rows, columns) or (n, rows, columns, components), ROW 0
     AT THE TOP, which equal those of n calls of capture() bit for bit. The window and the scene are
-    prepared once for all views. Raises as capture(), and ValueError without cameras.
+    prepared once for all views, and layers of surfaces are drawn together and read at once. Raises as capture(), and ValueError without cameras.
     """
     layers = _names(layers)
     given, cameras = cameras, list(cameras) if isinstance(cameras, Iterable) else []
@@ -339,7 +340,7 @@ def _background(renderer, level):
 def _seen_by(thing, sensors, layers, hdr, ambient=None, previous=None):
     """An image for each CameraModel."""
     names = [name for name in layers if name != "color"]
-    scene = rays(thing) if names and not isinstance(thing, Rays) else thing
+    scene = _rays_of(thing, previous) if names else thing
     renderer = None if len(names) == len(layers) else renderer_of(thing)[0]
     for sensor in sensors:
         image = layers_by_rays(scene, names, sensor, ambient, previous) if names else None
@@ -347,6 +348,22 @@ def _seen_by(thing, sensors, layers, hdr, ambient=None, previous=None):
             drawn = _color(renderer, hdr, sensor)
             image = drawn if image is None else _merged(layers, image, drawn)
         yield image
+
+
+_trees = threading.local()
+
+
+def _rays_of(thing, previous):
+    """The Rays of the thing. Those of a renderer stay for its next capture, as long as Python knows
+    the renderer, and no other is captured."""
+    renderer = None if isinstance(thing, Rays) else inner_renderer(thing)
+    if renderer is None or previous is not None:  # which would set how points are matched
+        return thing if isinstance(thing, Rays) else rays(thing)
+    trees = _trees.__dict__.setdefault("by_renderer", weakref.WeakKeyDictionary())
+    if renderer not in trees:
+        trees.clear()
+        trees[renderer] = rays(thing)
+    return trees[renderer]
 
 
 def _color(renderer, hdr, sensor):
