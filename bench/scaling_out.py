@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cost of files of ray trees, of many views of one scene, and of choosing camera places.
+"""Cost of files of ray trees, many views of one scene, data sets, and choosing camera places.
 
     python bench/scaling_out.py [--small] [--rounds N] >scaling-out.csv
 
@@ -10,7 +10,11 @@ Needs the package relievo in PYTHONPATH, numpy, and a display (tools/with-displa
   mesh, for one process; `bytes` per triangle of the file. The column `MiB` has the proportional set
   size of each of eight processes that hold the file, less that without it (Linux).
 - view: depth of a sphere in 64 x 64 pixels, by calls of capture(), one for each view, or by
-  capture_many(), drawn, or by rays with a Pinhole; per view.
+  capture_many(), drawn, or by rays with a Pinhole; per view. `other cells` is the share of pixels
+  with a cell that differs from the drawn one.
+- data set: a view of 640 x 480 pixels in the format coco, of 20 objects that stand apart or cover
+  each other, and of the same meshes as one object, whose full masks take one draw; or with the
+  preset studio.
 - cover: ten of so many candidates over a plane with 60 blocks.
 
 Processor seconds of all threads, the least of the rounds (3). --small measures small scenes, in
@@ -31,12 +35,19 @@ import relievo
 from relievo.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from relievo.vtk.vtkCommonCore import vtkPoints
 from relievo.vtk.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from relievo.vtk.vtkFiltersCore import vtkTriangleFilter
-from relievo.vtk.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from relievo.vtk.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
+from relievo.vtk.vtkFiltersSources import (
+    vtkConeSource,
+    vtkCylinderSource,
+    vtkPlaneSource,
+    vtkSphereSource,
+)
+from relievo.vtk.vtkIOXML import vtkXMLPolyDataWriter
 from relievo.vtk.vtkRenderingCore import vtkActor, vtkCamera, vtkPolyDataMapper, vtkRenderer
 from scale import torus
 
-COLUMNS = ("subject", "method", "triangles", "number", "processor seconds", "bytes", "MiB")
+COLUMNS = ("subject", "method", "triangles", "number", "processor seconds", "bytes", "MiB",
+           "other cells")  # fmt: skip
 PROCESSES = 8
 HOLD = """
 import re, sys, relievo
@@ -101,7 +112,7 @@ def starts(write, triangles, rounds):
             alone = method == "file"
             write("start", method, count, 1, taken,
                   f"{os.path.getsize(path) / count:.1f}" if alone else "",
-                  f"{set_size(path) - set_size():.1f}" if alone else "")  # fmt: skip
+                  f"{set_size(path) - set_size():.1f}" if alone else "", "")  # fmt: skip
 
 
 def views(write, triangles, number, rounds):
@@ -145,11 +156,74 @@ def views(write, triangles, number, rounds):
     def trace_many():
         relievo.capture_many(renderer, sensors, "depth")
 
+    def other_cells():
+        drawn, traced = (relievo.capture_many(renderer, each, "cell", size=size)["cell"]
+                         for each in (cameras, sensors))  # fmt: skip
+        return (drawn != traced).mean()
+
     for method, call, count in (("capture, drawn", draw_each, number),
                                 ("capture_many, drawn", draw_many, number),
                                 ("capture, rays", trace_each, 10),
                                 ("capture_many, rays", trace_many, number)):  # fmt: skip
-        write("view", method, 2 * side * side, number, seconds(call, rounds) / count, "", "")
+        write("view", method, 2 * side * side, number, seconds(call, rounds) / count, "", "",
+              f"{other_cells():.2g}" if method == "capture_many, rays" else "")  # fmt: skip
+
+
+def solids(spread):
+    """20 spheres, cones and cylinders in rows."""
+    lots = numpy.random.default_rng(5)
+    meshes = []
+    for i in range(20):
+        source = (vtkSphereSource, vtkConeSource, vtkCylinderSource)[i % 3]()
+        if i % 3 == 0:
+            source.SetThetaResolution(32)
+            source.SetPhiResolution(24)
+        else:
+            source.SetResolution(48)
+        place = spread * numpy.array([i % 5, 0, i // 5]) + lots.uniform(-0.2, 0.2, 3)
+        source.SetCenter(place)
+        source.Update()
+        meshes.append(source.GetOutput())
+    return meshes
+
+
+def sets(write, views, rounds):
+    apart, covering = solids(1.1), solids(0.25)
+    joined = vtkAppendPolyData()
+    for mesh in covering:
+        joined.AddInputData(mesh)
+    joined.Update()
+    triangles = sum(mesh.GetPolys().GetNumberOfConnectivityIds() - 2 * mesh.GetNumberOfPolys()
+                    for mesh in apart)  # fmt: skip
+    with tempfile.TemporaryDirectory() as folder:
+        files = []
+        for i, mesh in enumerate(apart):
+            files.append(os.path.join(folder, f"{i:02}.vtp"))
+            writer = vtkXMLPolyDataWriter()
+            writer.SetInputData(mesh)
+            writer.SetFileName(files[-1])
+            writer.Write()
+        for method, meshes in (("20 objects apart", apart),
+                               ("20 objects that cover each other", covering),
+                               ("one object", [joined.GetOutput()]),
+                               ("20 objects apart, studio", None)):  # fmt: skip
+            if meshes is None:
+                renderer = relievo.Scene(*files, preset="studio").renderer
+            else:
+                renderer = vtkRenderer()
+                for mesh in meshes:
+                    mapper = vtkPolyDataMapper()
+                    mapper.SetInputData(mesh)
+                    actor = vtkActor()
+                    actor.SetMapper(mapper)
+                    renderer.AddActor(actor)
+
+            def make(renderer=renderer):
+                with tempfile.TemporaryDirectory() as out:
+                    relievo.write_dataset(renderer, f"orbit:{views}", out, "coco", size=(640, 480))
+
+            make()  # compiles shaders
+            write("data set", method, triangles, views, seconds(make, rounds) / views, "", "", "")
 
 
 def covers(write, triangles, number, rounds):
@@ -171,7 +245,7 @@ def covers(write, triangles, number, rounds):
         points[within, 2] = lots.uniform(3, 20)
     places = numpy.column_stack([lots.uniform(0, 100, (number, 2)), lots.uniform(5, 25, number)])
     taken = seconds(lambda: relievo.cover(mesh, places, 10), rounds)
-    write("cover", "relievo.cover", mesh.GetNumberOfCells(), number, taken, "", "")
+    write("cover", "relievo.cover", mesh.GetNumberOfCells(), number, taken, "", "", "")
 
 
 def main():
@@ -189,7 +263,9 @@ def main():
     for triangles in (20_000,) if given.small else (1_000_000, 10_000_000):
         starts(write, triangles, 1 if triangles > 1_000_000 else given.rounds)
     for triangles in (1_000,) if given.small else (1_000, 100_000):
-        views(write, triangles, 20 if given.small else 100, given.rounds)
+        number = 1000 if triangles == 1_000 else 100
+        views(write, triangles, 20 if given.small else number, given.rounds)
+    sets(write, 2 if given.small else 20, given.rounds)
     for triangles, number in ([(1_000, 5)] if given.small
                               else [(10_000, 100), (100_000, 20), (100_000, 100)]):  # fmt: skip
         covers(write, triangles, number, given.rounds)

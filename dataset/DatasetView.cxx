@@ -65,25 +65,43 @@ std::array<int, 2> GetMargin(double limit, int columns, int rows)
   return { static_cast<int>(share * columns), static_cast<int>(share * rows) };
 }
 
-// Calls `visit` with each pixel's number from the top and its image point.
+// Left, top, right and bottom of a part of a picture, in columns and rows.
+using Rectangle = std::array<double, 4>;
+constexpr double Far = std::numeric_limits<double>::infinity();
+constexpr Rectangle Everywhere = { -Far, -Far, Far, Far };
+
+// Calls `call` with the number from the top and the image point of each pixel in a rectangle.
 template <typename Call>
-void ForEachPixel(vtkImageData* image, const Call& call)
+void ForEachPixel(vtkImageData* image, const Rectangle& part, const Call& call)
 {
   const int* size = image->GetDimensions();
-  std::size_t pixel = 0;
-  for (int row = size[1] - 1; row >= 0; --row)
+  const auto clamp = [](double value, int end) {
+    return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(end)));
+  };
+  const int left = clamp(std::floor(part[0]), size[0]);
+  const int right = clamp(std::floor(part[2]) + 1.0, size[0]);
+  const int bottom = clamp(std::floor(part[3]) + 1.0, size[1]);
+  for (int row = clamp(std::floor(part[1]), size[1]); row < bottom; ++row)
   {
-    const vtkIdType first = static_cast<vtkIdType>(row) * size[0];
-    for (vtkIdType point = first; point < first + size[0]; ++point)
+    const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(size[0]);
+    const vtkIdType point = static_cast<vtkIdType>(size[1] - 1 - row) * size[0];
+    for (int column = left; column < right; ++column)
     {
-      call(pixel++, point);
+      call(pixel + static_cast<std::size_t>(column), point + column);
     }
   }
 }
 
-// Calls `visit` with each pixel's number from the top and its object.
 template <typename Call>
-void ForEachObject(const DatasetObjects& objects, vtkImageData* layers, const Call& call)
+void ForEachPixel(vtkImageData* image, const Call& call)
+{
+  ForEachPixel(image, Everywhere, call);
+}
+
+// Calls `call` with each pixel's number from the top and its object, in a rectangle.
+template <typename Call>
+void ForEachObject(
+  const DatasetObjects& objects, vtkImageData* layers, const Rectangle& part, const Call& call)
 {
   const auto getNumbers = [layers](const char* name) {
     return vtkIntArray::SafeDownCast(layers->GetPointData()->GetArray(name))->GetPointer(0);
@@ -93,7 +111,7 @@ void ForEachObject(const DatasetObjects& objects, vtkImageData* layers, const Ca
   const int* volumes = objects.HasVolumes() ? getNumbers("volume") : nullptr;
   std::pair<int, int> last(-1, -1); // neighbours mostly show one object
   int object = -1;
-  ForEachPixel(layers, [&](std::size_t pixel, vtkIdType point) {
+  ForEachPixel(layers, part, [&](std::size_t pixel, vtkIdType point) {
     const std::pair<int, int> is(actors[point], blocks[point]);
     if (is != last)
     {
@@ -149,19 +167,17 @@ ObjectReach FindReach(vtkRelievoLensCamera* camera, const DatasetObjects& object
     : ObjectReach::Beyond;
 }
 
-// A rectangle that contains all pixels of an object: left, top, right and bottom.
-std::array<double, 4> FindRectangle(
-  vtkRelievoLensCamera* camera, const DatasetObjects& objects, int object)
+// A rectangle that contains all pixels of an object.
+Rectangle FindRectangle(vtkRelievoLensCamera* camera, const DatasetObjects& objects, int object)
 {
-  constexpr double far = std::numeric_limits<double>::infinity();
   constexpr double rounding = 2.0;
   const std::optional<double> border = objects.GetBorder(object);
-  std::array<double, 4> all = { far, far, -far, -far };
+  Rectangle all = { Far, Far, -Far, -Far };
   for (const auto& pixel : ProjectCorners(camera, objects, object))
   {
     if (!pixel || !border)
     {
-      return { -far, -far, far, far };
+      return Everywhere;
     }
     for (std::size_t i = 0; i < 2; ++i)
     {
@@ -172,30 +188,58 @@ std::array<double, 4> FindRectangle(
   return all;
 }
 
-// Divides objects into groups that never cover each other.
-std::vector<std::vector<int>> Separate(
+// Objects that never cover each other, and their rectangles.
+struct Group
+{
+  std::vector<int> Objects;
+  std::vector<Rectangle> Rectangles;
+};
+
+std::vector<Group> Separate(
   vtkRelievoLensCamera* camera, const DatasetObjects& all, const std::vector<int>& objects)
 {
-  std::vector<std::vector<int>> groups;
-  std::vector<std::vector<std::array<double, 4>>> rectangles;
+  std::vector<Group> groups;
   for (const int object : objects)
   {
-    const std::array<double, 4> own = FindRectangle(camera, all, object);
-    const auto isApart = [&own](const std::array<double, 4>& other) {
+    const Rectangle own = FindRectangle(camera, all, object);
+    const auto isApart = [&own](const Rectangle& other) {
       return own[0] > other[2] || own[2] < other[0] || own[1] > other[3] || own[3] < other[1];
     };
-    std::size_t i = 0;
-    while (i < groups.size() && !std::all_of(rectangles[i].begin(), rectangles[i].end(), isApart))
-    {
-      ++i;
-    }
-    groups.resize(std::max(groups.size(), i + 1));
-    rectangles.resize(groups.size());
-    groups[i].push_back(object);
-    rectangles[i].push_back(own);
+    const auto fits = [&isApart](const Group& group) {
+      return std::all_of(group.Rectangles.begin(), group.Rectangles.end(), isApart);
+    };
+    auto group = std::find_if(groups.begin(), groups.end(), fits);
+    group = group == groups.end() ? groups.emplace(group) : group;
+    group->Objects.push_back(object);
+    group->Rectangles.push_back(own);
   }
   return groups;
 }
+
+// The frame of a renderer, which several captures then share instead of making one each.
+class SharedFrame
+{
+public:
+  explicit SharedFrame(vtkRenderer* renderer)
+    : Renderer(renderer)
+    , IsOwn(!vtkRelievoPass::SafeDownCast(renderer->GetPass()))
+  {
+    vtkRelievoPass::Attach(renderer);
+  }
+  ~SharedFrame()
+  {
+    if (this->IsOwn)
+    {
+      vtkRelievoPass::Detach(this->Renderer);
+    }
+  }
+  SharedFrame(const SharedFrame&) = delete;
+  void operator=(const SharedFrame&) = delete;
+
+private:
+  vtkRenderer* Renderer;
+  bool IsOwn;
+};
 
 // An object's complete silhouette, from its mask in the picture and its mask in a picture that is
 // wider by a margin at each side.
@@ -222,7 +266,7 @@ DatasetSilhouette JoinSilhouette(
 
 void FindVisible(const DatasetObjects& objects, DatasetView& view)
 {
-  ForEachObject(objects, view.Layers, [&view](std::size_t pixel, int object) {
+  ForEachObject(objects, view.Layers, Everywhere, [&view](std::size_t pixel, int object) {
     view.Objects.push_back(object);
     if (object >= 0)
     {
@@ -484,25 +528,25 @@ void DatasetPainter::TakePicture(DatasetView& view)
 void DatasetPainter::DrawAlone(vtkRelievoLensCamera* camera, const std::vector<int>& objects,
   const std::function<void(std::size_t, std::size_t)>& call)
 {
-  for (const std::vector<int>& group : Separate(camera, this->Objects, objects))
+  std::vector<std::string> layers = { "actor", "block" };
+  if (this->Objects.HasVolumes())
   {
-    const DatasetObjects::Alone alone(this->Objects, group);
-    std::vector<bool> isShown(this->Objects.Get().size());
-    for (const int object : group)
+    layers.emplace_back("volume");
+  }
+  for (const Group& group : Separate(camera, this->Objects, objects))
+  {
+    const DatasetObjects::Alone alone(this->Objects, group.Objects);
+    const vtkSmartPointer<vtkImageData> drawn = this->DrawLayers(layers);
+    for (std::size_t i = 0; i < group.Objects.size(); ++i)
     {
-      isShown[static_cast<std::size_t>(object)] = true;
+      const int object = group.Objects[i];
+      ForEachObject(this->Objects, drawn, group.Rectangles[i], [&](std::size_t pixel, int found) {
+        if (found == object)
+        {
+          call(pixel, static_cast<std::size_t>(object));
+        }
+      });
     }
-    std::vector<std::string> layers = { "actor", "block" };
-    if (this->Objects.HasVolumes())
-    {
-      layers.emplace_back("volume");
-    }
-    ForEachObject(this->Objects, this->DrawLayers(layers), [&](std::size_t pixel, int found) {
-      if (found >= 0 && isShown[static_cast<std::size_t>(found)])
-      {
-        call(pixel, static_cast<std::size_t>(found));
-      }
-    });
   }
 }
 
@@ -518,6 +562,7 @@ void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& vie
   this->Renderer->ResetCameraClippingRange();
   Messages::Check("the camera");
   this->TakePicture(view);
+  const SharedFrame frame(this->Renderer);
   view.Layers = this->DrawLayers(this->Layers);
   FindVisible(this->Objects, view);
   std::vector<int> all(view.Whole.size());

@@ -424,14 +424,15 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
       vtkErrorMacro(<< error << ".");
     }
   }
+  // What a picture uses stays while layers alone are drawn in between: the next picture needs it.
   for (vtkRelievoStage* stage : stages)
   {
-    if (!run.IsNeeded(stage))
+    if (!run.IsNeeded(stage) && (context.Picture || !stage->GetEnabled()))
     {
       stage->ReleaseGraphicsResources(window);
     }
   }
-  if (!run.NeedsColor())
+  if (!run.NeedsColor() && context.Picture)
   {
     in.Color.Release(window);
     in.Translucent.Release(window);
