@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoAbort.h"
+#include "vtkRelievoMemory.h"
 #include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRayScene.h"
 #include "vtkTable.h"
@@ -186,6 +187,15 @@ int vtkRelievoViewFactors::RequestData(
   {
     vtkErrorMacro(
       "Groups: no polygon has a group in " << this->Groups << ", expected numbers from 0.");
+    return 1;
+  }
+  const auto pairs =
+    static_cast<double>(fronts.size()) * (static_cast<double>(fronts.size()) + 2.0);
+  constexpr double bytes = 2 * sizeof(int) + 3 * sizeof(double); // of a row
+  const std::string lack = relievo::LackOfMemory(pairs * bytes, 0.0);
+  if (!lack.empty())
+  {
+    vtkErrorMacro(<< fronts.size() << " groups: " << lack);
     return 1;
   }
 

@@ -20,7 +20,8 @@
  * bounds. Cells count from their fronts, where normals by the order of their points show. Rays
  * begin 1e-7 of the mesh's size in front of the surface. Equal seeds give equal factors.
  *
- * Errors: no cell array of this name with one component of whole numbers; no group.
+ * Errors: no cell array of this name with one component of whole numbers; no group; too little
+ * memory for the pairs.
  */
 #ifndef vtkRelievoViewFactors_h
 #define vtkRelievoViewFactors_h

@@ -45,6 +45,7 @@
 #include "vtkRelievoSurfaceParticles.h"
 #include "vtkRelievoTangents.h"
 #include "vtkRelievoTextureCoordinates.h"
+#include "vtkRelievoViewFactors.h"
 #include "vtkRelievoVoxelCubes.h"
 #include "vtkRelievoVoxelShell.h"
 #include "vtkSmartPointer.h"
@@ -604,6 +605,7 @@ std::map<std::string, std::string> MakeAll()
   exposure->SetUpAxis(2);
   addFilter("sun exposure", exposure);
   addFilter("cover", vtkNew<vtkRelievoCover>());
+  addFilter("view factors", vtkNew<vtkRelievoViewFactors>());
   return made;
 }
 }

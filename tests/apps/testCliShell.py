@@ -18,8 +18,8 @@ HELP = subprocess.run(
 WORDS = subprocess.run(
     [RELIEVO, "--words"], stdout=subprocess.PIPE, text=True, check=True
 ).stdout
-VERBS = ("render", "compare", "dataset", "visible", "sun", "cover", "merge", "verify", "status",
-         "cave", "bench")  # fmt: skip
+VERBS = ("render", "compare", "dataset", "visible", "sun", "cover", "view-factors", "merge", "verify",
+         "status", "cave", "bench")  # fmt: skip
 DOCS = pathlib.Path(COMPLETION).parents[3] / "docs"
 
 # A substitute for the parts of bash-completion that complete files and colons.
@@ -162,6 +162,7 @@ class Pages(unittest.TestCase):
             ("visible", page.split("| option of `visible` |")[1]),
             ("sun", page.split("| option of `sun` |")[1]),
             ("cover", page.split("| option of `cover` |")[1]),
+            ("view-factors", page.split("| option of `view-factors` |")[1]),
             ("dataset", (DOCS / "datasets.md").read_text("utf-8").split("## Options")[1]),
             ("compare", (DOCS / "compare.md").read_text("utf-8").split("| option of")[1]),
             ("cave", (DOCS / "caves.md").read_text("utf-8").split("## Settings")[1]),

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """relievo visible and relievo sun: scenes whose answer is known, their options, words refused."""
 
+import csv
 import json
 import math
 import random
@@ -173,6 +174,75 @@ class Sight(CliTest):
                      "--chosen", "chosen.vtp")  # fmt: skip
         self.assertEqual(self.cells("covered.vtp", "covered").tolist(), [1, 1])
         self.assertEqual(self.read("chosen.vtp").GetNumberOfPoints(), 2)
+
+    def test_view_factors(self):
+        """Parallel squares as two files, as parts of one and by an array; a screen; files."""
+        low = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"
+        high = "OFF\n4 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n4 3 2 1 0\n"  # faces down
+        # Two triangles that share places, not points, and the lower square.
+        both = ("OFF\n10 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 1 1\n1 0 1\n0 0 1\n"
+                "0 1 1\n1 1 1\n4 0 1 2 3\n3 4 5 6\n3 7 8 9\n")
+        screen = "OFF\n4 1 0\n-9 -9 0.5\n9 -9 0.5\n9 9 0.5\n-9 9 0.5\n4 0 1 2 3\n"
+        for name, text in (("low,1.off", low), ("high.off", high), ("both.off", both),
+                           ("screen.off", screen)):  # fmt: skip
+            (self.folder / name).write_text(text)
+        root = math.sqrt(2)
+        truth = 2 / math.pi * (
+            math.log(2 / math.sqrt(3)) + 2 * root * math.atan(1 / root) - math.pi / 2)
+
+        def factors(*words):
+            done = self.relievo("view-factors", *words, "-o", "f.csv", "--json", "f.json",
+                                "--mesh", "f.vtp")  # fmt: skip
+            self.assertIn("2 groups", done.stdout)
+            with open(self.folder / "f.csv", newline="", encoding="utf-8") as file:
+                rows = list(csv.DictReader(file))
+            found = json.loads((self.folder / "f.json").read_text())
+            names = [group["name"] for group in found["groups"]]
+            self.assertEqual([group["area"] for group in found["groups"]], [1, 1])
+            for row in rows:
+                i, to = names.index(row["from"]), row["to"]
+                matrix = found["factors"][i][names.index(to)] if to in names else found[to][i]
+                self.assertAlmostEqual(float(row["factor"]), matrix, places=8)
+            for i in (0, 1):
+                whole = sum(found["factors"][i]) + found["nothing"][i] + found["others"][i]
+                self.assertAlmostEqual(whole, 1)
+            # The mesh: a component for each group.
+            group = self.cells("f.vtp", "group").astype(int)
+            self.assertEqual(set(group[group >= 0]), {0, 1})
+            for name in ("factors", "bounds"):
+                rows = numpy.array([*found[name], [0, 0]])[group]  # the last: no group
+                numpy.testing.assert_array_equal(self.cells("f.vtp", name), rows)
+            shutil.copy(self.folder / "f.vtp", self.folder / "zones.vtp")
+            return names, found
+
+        for words, expected in (
+            (["low,1.off", "high.off"], ["low,1.off", "high.off"]),
+            (["both.off", "--groups", "parts"], ["0", "1"]),
+            (["zones.vtp", "--groups", "array:group"], ["0", "1"]),
+        ):
+            names, found = factors(*words, "--tolerance", "0.01")
+            self.assertEqual(names, expected)
+            for factor, bound in ((found["factors"][i][1 - i], found["bounds"][i][1 - i])
+                                  for i in (0, 1)):  # fmt: skip
+                self.assertLess(abs(factor - truth), bound)
+                self.assertLessEqual(bound, 0.01)
+        _, found = factors("low,1.off", "high.off", "--occluder", "screen.off")
+        self.assertGreater(min(found["others"]), 0.98)
+        # A file without the array has no group.
+        _, found = factors("zones.vtp", "screen.off", "--groups", "array:group")
+        self.assertGreater(min(found["others"]), 0.98)
+
+    def test_view_factors_refused(self):
+        writes = ("-o", "f.csv")
+        for words, status, said in (
+            (["ground.off", *writes, "--groups", "zone"], 2, "expected files, parts or array:NAME"),
+            (["ground.off", *writes, "--groups", "array:zone"], 1, "no file has such a cell array"),
+            (["ground.off", "-o", "f.vtp"], 2, "a name that ends in .csv"),
+            (["ground.off", *writes, "--tolerance", "0"], 2, "--tolerance: got '0'"),
+            (["ground.off", *writes, "--occluder", "none.off"], 1, "none.off"),
+        ):
+            self.refused("view-factors", *words, status=status, says=said)
+        self.assertEqual(self.names(), self.before)
 
     def test_sun_options(self):
         self.sun(*SUN, "--up=y")

@@ -32,6 +32,7 @@ FILTERS = {
     "SurfaceParticles": ["Place"],
     "SunExposure": ["UpAxis"],
     "Cover": [],
+    "ViewFactors": [],
     "Visibility": [],
 }
 GROUPS = {
@@ -240,6 +241,37 @@ output.VTKObject.SetPolys(cells)
         cover.NumberOfPlaces = 2
         covered = servermanager.Fetch(cover).GetCellData().GetArray("covered")
         self.assertEqual([covered.GetValue(i) for i in (0, 1)], [1, 1])
+
+    def test_view_factors(self):
+        """Parallel squares at the distance of their side, and a screen between them."""
+        plates = simple.AppendGeometry(Input=[
+            simple.Calculator(
+                Input=plane, AttributeType="Cell Data", ResultArrayName="plate", Function=number)
+            for plane, number in (
+                (simple.Plane(Origin=[0, 0, 0], Point1=[1, 0, 0], Point2=[0, 1, 0]), "0"),
+                (simple.Plane(Origin=[0, 0, 1], Point1=[0, 1, 1], Point2=[1, 0, 1]), "1"))
+        ])  # fmt: skip
+        found = simple.ViewFactors(Input=plates, Groups="plate", Tolerance=0.005)
+
+        def column(name):
+            return vtk_to_numpy(servermanager.Fetch(found).GetColumnByName(name))
+
+        # J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors, C-11.
+        root = numpy.sqrt(2)
+        truth = 2 / numpy.pi * (
+            numpy.log(2 / numpy.sqrt(3)) + 2 * root * numpy.arctan(1 / root) - numpy.pi / 2)
+        expected = {(0, 1): truth, (1, 0): truth, (0, 0): 0, (1, 1): 0,
+                    (0, -1): 1 - truth, (1, -1): 1 - truth, (0, -2): 0, (1, -2): 0}  # fmt: skip
+        pairs = list(zip(column("from"), column("to"), strict=True))
+        self.assertEqual(set(pairs), set(expected))
+        for pair, factor, bound in zip(pairs, column("factor"), column("bound"), strict=True):
+            self.assertLessEqual(bound, 0.005)
+            self.assertLess(abs(factor - expected[pair]), bound, pair)
+        self.assertLess(numpy.abs(column("area") - 1).max(), 1e-12)
+        found.Occluders = [simple.Plane(
+            Origin=[-99, -99, 0.5], Point1=[99, -99, 0.5], Point2=[-99, 99, 0.5])]  # fmt: skip
+        others = column("factor")[column("to") == -2]
+        self.assertGreater(others.min(), 0.99)
 
     def test_sun_exposure_takes_the_views_up(self):
         """At first, but where the mesh is low."""

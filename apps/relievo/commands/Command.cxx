@@ -93,16 +93,22 @@ void Command::AddMeshOptions(const std::string& extension)
   this->Rows.Files = words::Join(reading::GetExtensions(), "|");
   this->AddOutput("-o FILE" + extension, "the mesh", this->File).Missing =
     "no file to write; give -o FILE" + extension;
+  this->AddFolderOption();
+  this->AddOutput("--rays FILE.rays",
+    "keeps the trees for rays of these meshes in a file: written by the first run, shared in "
+    "memory by all later ones",
+    this->RayFile);
+}
+
+//------------------------------------------------------------------------------
+void Command::AddFolderOption()
+{
   vtkRelievoOption& folders = this->Add("--allow-folder DIR",
     "allows files to name pieces in this folder and below (each file's own folder); "
     "repeatable",
     [this](const std::string& value) { this->AllowedFolders.push_back(value); });
   folders.Files = "/";
   folders.Repeats = true;
-  this->AddOutput("--rays FILE.rays",
-    "keeps the trees for rays of these meshes in a file: written by the first run, shared in "
-    "memory by all later ones",
-    this->RayFile);
 }
 
 //------------------------------------------------------------------------------

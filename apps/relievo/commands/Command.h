@@ -52,8 +52,11 @@ protected:
   /// Adds an option for an output file with the extension at the end of its use: "-o FILE.vtp".
   vtkRelievoOption& AddOutput(const std::string& use, const std::string& help, std::string& file);
 
-  /// Adds the options of commands that read meshes: -o and --allow-folder.
+  /// Adds the options of commands that trace rays at a mesh: -o, --allow-folder and --rays.
   void AddMeshOptions(const std::string& extension);
+
+  /// Adds --allow-folder, for commands that read meshes.
+  void AddFolderOption();
 
   /// Adds --up, whose value is -1 if it is not given.
   void AddUpOption();
@@ -103,6 +106,7 @@ std::unique_ptr<Command> MakeStages();
 std::unique_ptr<Command> MakeStatus();
 std::unique_ptr<Command> MakeSun();
 std::unique_ptr<Command> MakeVerify();
+std::unique_ptr<Command> MakeViewFactors();
 std::unique_ptr<Command> MakeVisible();
 ///@}
 }

@@ -34,6 +34,7 @@ Examples
   relievo sun town.obj --place 48.2,16.4 --dates 2026-06-21 -o sun.vtp --part 3/8
   relievo merge sun.vtp.parts
   relievo cover site.obj --candidates masts.ply --places 6 -o covered.vtp --chosen cameras.vtp
+  relievo view-factors floor.stl wall.stl roof.stl --tolerance 0.002 -o factors.csv
   relievo render sun.vtp --color-by sun_hours --scalar-bar --png sun.png
   relievo cave --size 256x128x256 --seed 7 -o cave.vti
   relievo bench normals --out charts
@@ -46,7 +47,7 @@ Commands MakeCommands()
 {
   Commands all;
   for (const auto& make : { MakeRender, MakeCompare, MakeDataset, MakeVisible, MakeSun, MakeCover,
-         MakeMerge, MakeVerify, MakeStatus, MakeCave, MakeStages, MakeBench })
+         MakeViewFactors, MakeMerge, MakeVerify, MakeStatus, MakeCave, MakeStages, MakeBench })
   {
     all.push_back(make());
   }
