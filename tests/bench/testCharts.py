@@ -184,6 +184,10 @@ def environment(table, x, last):
         "[RMS error / mean light]", lambda row: row["map"] == "cube" and row[x[1:-1]] == last)
 
 
+def is_irradiation(row):
+    return row["scene"] in ("courtyard", "canyon")
+
+
 def blocks(y):
     return points("blocks", "[shape]", "[method]", "[ms per million blocks]", y,
                   lambda row: row["method"] == "smooth blocks",
@@ -312,6 +316,11 @@ TRUTH = {
         "[bytes per triangle]", None,
         lambda row: row["mesh"] == "bunny" and row["answer"] == "nearest"),
     "sun": points("sun", "[of]", "[method]", "[core milliseconds]", "[rms]"),
+    "irradiation": points(
+        "irradiation", "[scene]", "[method]", "[processor milliseconds]", "[largest error %]",
+        lambda row: row["method"] == "tolerance" and row["setting"] == "1", is_irradiation)
+    + points("irradiation", "[scene]", "bound", "[processor milliseconds]", "[largest bound %]",
+             None, lambda row: is_irradiation(row) and row["largest bound %"]),
     "skin-keys": points(
         "skin-keys", "[motion]", "[method]", "[keys per second]",
         "[largest error of the arm's end, arm's lengths]", None,

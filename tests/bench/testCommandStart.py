@@ -98,6 +98,29 @@ class ScalingOut(unittest.TestCase):
         self.assertLess(float(rows[6]["other cells"]), 0.01)  # at edges alone
 
 
+class Irradiation(unittest.TestCase):
+    def test_small_table(self):
+        """Errors are within bounds, and bounds of scenes without gaps are near the tolerance."""
+        script = BENCH / "irradiation.py"
+        done = subprocess.run([sys.executable, script, "--small", "--rounds", "1"],
+                              stdout=subprocess.PIPE, text=True, check=True)  # fmt: skip
+        rows = list(csv.DictReader(done.stdout.splitlines()))
+        closed = [row for row in rows if row["method"] == "tolerance" and row["places"] == "64"]
+        self.assertEqual(len(closed), 7)
+        for row in closed:
+            with self.subTest(row["scene"], tolerance=row["setting"]):
+                error, bound, tolerance = (
+                    float(row[name]) for name in ("largest error %", "largest bound %", "setting"))
+                self.assertLess(error, bound)
+                if row["scene"] != "courtyard, separate walls":
+                    self.assertLessEqual(bound, max(tolerance, 1.1))  # of the smallest patches
+        for row in rows:
+            if row["method"] == "number of rays":
+                self.assertLess(float(row["rms error %"]), 60 / float(row["setting"]) ** 0.5)
+            elif row["places"] == "1":  # where pvlib is
+                self.assertLess(float(row["largest error %"]), 0.5)
+
+
 class Scale(unittest.TestCase):
     def measure(self, *words):
         with tempfile.TemporaryDirectory() as folder:
