@@ -32,6 +32,11 @@ int RunScalingOut(const std::string& outDir)
   return RunScript("scaling_out.py", {}, outDir + "/scaling-out.csv", { "--small" });
 }
 
+int RunIrradiation(const std::string& outDir)
+{
+  return RunScript("irradiation.py", {}, outDir + "/irradiation.csv", { "--small" });
+}
+
 const std::vector<std::string> FewRounds = { "--rounds", "3" };
 
 int RunCommandStart(const std::string& outDir)
@@ -133,6 +138,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "scale", "time and memory of whole commands by the size of the scene", RunScale, "scale.py" },
     { "scaling-out", "time of starts with files of ray trees, of many views, of camera places",
       RunScalingOut, "scaling_out.py" },
+    { "irradiation", "error and time of irradiation, beside closed forms and pvlib", RunIrradiation,
+      "irradiation.py" },
     { "command-start", "time of a command from its start to the picture", RunCommandStart,
       "command_start.py" },
     { "f3d", "time to load, to the first picture and per frame, beside F3D", RunF3D,

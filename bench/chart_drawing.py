@@ -116,6 +116,9 @@ METHODS = {
     # rays
     "rays in double": "blue o -", "Embree": "grey x --",
     "Embree's boxes, triangles in double": "orange s - Embree's boxes, our test",
+    # irradiation
+    "tolerance": "blue o -", "bound": "vermillion s -. its bound",
+    "number of rays": "grey x -- rays, no bound",
     # cells inside bodies
     "parity": "blue o -", "two views": "vermillion s -.", "six views": "green D --",
     "six views, drawn": "purple ^ : … drawn",

@@ -660,6 +660,22 @@ def sun(rows):
         panels(rows, "core milliseconds", "rms", panel="of"))
 
 
+@bench("irradiation.csv")
+def irradiation(rows):
+    """Errors of irradiation and of their bounds, by time."""
+    shown = [row for row in rows if row["scene"] in ("courtyard", "canyon")]
+    bounds = [{**row, "method": "bound", "largest error %": row["largest bound %"]}
+              for row in shown if row["largest bound %"]]
+    yield Chart(
+        "irradiation", "Light of a uniform sky on a floor: error against time",
+        "Lower left is better. Along the curves a tolerance of 10 to 0.2 %, and 16 to 4096 rays. "
+        "Ring: the default.",
+        Axis("processor milliseconds for 2304 places", log=True),
+        Axis("largest error or bound, %", log=True),
+        panels([*shown, *bounds], "processor milliseconds", "largest error %",
+               default=lambda row: row["method"] == "tolerance" and row["setting"] == "1"))
+
+
 @bench("skin-keys.csv", "skin-volume.csv", "skin.csv")
 def skin(keys, volumes, times):
     """Errors of motions by their keys, a tube's volume, and the time of points."""
