@@ -3,7 +3,7 @@
 #include "Ground.h"
 
 #include "GroundSky.h"
-#include "Rows.h"
+#include "OptionRows.h"
 #include "Triples.h"
 
 #include "vtkActor.h"
@@ -213,7 +213,7 @@ void SetGroundColor(vtkActor* ground, const double color[3])
 }
 
 //------------------------------------------------------------------------------
-void AddGroundOption(Rows& rows, std::optional<bool>& ground)
+void AddGroundOption(OptionRows& rows, std::optional<bool>& ground)
 {
   rows
     .AddChoice("--ground", "ON", { "off", "on" },

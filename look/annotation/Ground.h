@@ -31,7 +31,7 @@ void SetGroundColor(vtkActor* ground, const double color[3]);
 ///@}
 
 /// The row of --ground.
-void AddGroundOption(Rows& rows, std::optional<bool>& ground);
+void AddGroundOption(OptionRows& rows, std::optional<bool>& ground);
 }
 
 #endif

@@ -3,7 +3,7 @@
 #include "CameraOptions.h"
 
 #include "FittedView.h"
-#include "Rows.h"
+#include "OptionRows.h"
 #include "Triples.h"
 #include "Values.h"
 
@@ -118,7 +118,7 @@ void TakeClip(CameraChoice& choice, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void AddCameraOptions(Rows& rows, CameraChoice& camera)
+void AddCameraOptions(OptionRows& rows, CameraChoice& camera)
 {
   rows
     .Add("--camera", "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ",
@@ -126,7 +126,7 @@ void AddCameraOptions(Rows& rows, CameraChoice& camera)
       "--preset none along -z with y or the axis of --up up; from the flat side of a flat "
       "scene)",
       camera, TakeCamera)
-    .Is(Rows::Option::KEEPS_STYLE | Rows::Option::OF_ONE_VIEW);
+    .Is(OptionRows::Option::KEEPS_STYLE | OptionRows::Option::OF_ONE_VIEW);
   rows
     .AddNumber("--view-angle", "DEG",
       "full vertical angle of the perspective, degrees, @bounds@ (30)", { 0.0, 180.0, true },
@@ -139,16 +139,16 @@ void AddCameraOptions(Rows& rows, CameraChoice& camera)
         camera.ParallelScale = ParseNumberBetween(
           "--parallel-scale", word, 0.0, std::numeric_limits<double>::infinity());
       })
-    .Is(Rows::Option::OF_ONE_VIEW);
+    .Is(OptionRows::Option::OF_ONE_VIEW);
 }
 
 //------------------------------------------------------------------------------
-void AddClipOption(Rows& rows, CameraChoice& camera)
+void AddClipOption(OptionRows& rows, CameraChoice& camera)
 {
   rows
     .Add("--clip", "NEAR,FAR",
       "clipping distances from the camera, 0 < NEAR < FAR (around the scene)", camera, TakeClip)
-    .Is(Rows::Option::KEEPS_STYLE | Rows::Option::OF_ONE_VIEW)
+    .Is(OptionRows::Option::KEEPS_STYLE | OptionRows::Option::OF_ONE_VIEW)
     .DropAs("the clipping distances");
 }
 }

@@ -48,8 +48,8 @@ CameraPlace GetPlace(vtkCamera* camera);
 
 ///@{
 /// The rows of --camera, --view-angle and --parallel-scale, and of --clip.
-void AddCameraOptions(Rows& rows, CameraChoice& camera);
-void AddClipOption(Rows& rows, CameraChoice& camera);
+void AddCameraOptions(OptionRows& rows, CameraChoice& camera);
+void AddClipOption(OptionRows& rows, CameraChoice& camera);
 ///@}
 }
 

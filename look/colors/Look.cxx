@@ -6,7 +6,7 @@
 #include "Colormaps.h"
 #include "DataSets.h"
 #include "Errors.h"
-#include "Rows.h"
+#include "OptionRows.h"
 #include "ScalarBar.h"
 #include "Values.h"
 #include "VolumeImages.h"
@@ -490,7 +490,7 @@ void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, b
 }
 
 //------------------------------------------------------------------------------
-void AddShadingOption(Rows& rows, Shading& shading)
+void AddShadingOption(OptionRows& rows, Shading& shading)
 {
   rows
     .AddChoice("--shading", "KIND", { "flat", "gouraud", "phong", "pbr" },
@@ -504,7 +504,7 @@ void AddShadingOption(Rows& rows, Shading& shading)
 }
 
 //------------------------------------------------------------------------------
-void AddLookOptions(Rows& rows, LookChoice& look)
+void AddLookOptions(OptionRows& rows, LookChoice& look)
 {
   rows
     .AddFlag("--grid",
@@ -528,14 +528,14 @@ void AddLookOptions(Rows& rows, LookChoice& look)
       "COMPONENT is a number from 0, or magnitude (the active scalars; the magnitude; "
       "bytes of 3 or 4 components are colours)",
       look, TakeColorBy)
-    .Is(Rows::Option::OF_FILES)
+    .Is(OptionRows::Option::OF_FILES)
     .NamedIn("Look", "Colour by");
   rows
     .Add("--range", "MIN,MAX",
       "values of the first and the last colour (the array's finite range in all files); "
       "symmetric: that range, extended to be symmetric around zero",
       look, TakeRange)
-    .Is(Rows::Option::OF_FILES)
+    .Is(OptionRows::Option::OF_FILES)
     .NamedIn("Look", "Range")
     .Words = { "symmetric" };
   rows
@@ -549,7 +549,7 @@ void AddLookOptions(Rows& rows, LookChoice& look)
     .NamedIn("Look", "Colour map")
     .Words = GetColormapNames();
   rows.AddFlag("--scalar-bar", "shows the colours and their values at the right", look.ScalarBar)
-    .Is(Rows::Option::OF_FILES)
+    .Is(OptionRows::Option::OF_FILES)
     .NamedIn("Look", "Show a colour bar")
     .RefuseLens("it is drawn only over a pinhole's picture");
   rows
@@ -557,7 +557,7 @@ void AddLookOptions(Rows& rows, LookChoice& look)
       "the scalar bar at the right, left, bottom or top (where it is horizontal), with another "
       "title than the array's name, and with the unit of the values",
       look, TakeBar)
-    .Is(Rows::Option::OF_FILES)
+    .Is(OptionRows::Option::OF_FILES)
     .NamedIn("Look", "Side of the bar")
     .RefuseLens("it is drawn only over a pinhole's picture")
     .Words = { "right", "left", "bottom", "top" };
@@ -570,14 +570,14 @@ void AddLookOptions(Rows& rows, LookChoice& look)
   rows
     .AddNumber("--opacity", "A", "opacity of all meshes and volumes, @bounds@ (1)", { 0.0, 1.0 },
       look.Opacity)
-    .Is(Rows::Option::SHAPES_SURFACE)
+    .Is(OptionRows::Option::SHAPES_SURFACE)
     .NamedIn("Look", "Opacity");
   rows
     .Add("--opacity-curve", "VALUE/A,...",
       "volumes (--image volume): the opacity at two or more values, 0 to 1 over a hundredth of the "
       "image's diagonal, linear in between (0 below the threshold that separates the values best)",
       look, TakeOpacityCurve)
-    .Is(Rows::Option::SHAPES_SURFACE)
+    .Is(OptionRows::Option::SHAPES_SURFACE)
     .NamedIn("Look", "Opacity curve")
     .DropAs("the opacity curve");
   rows
@@ -586,7 +586,7 @@ void AddLookOptions(Rows& rows, LookChoice& look)
       "points, @bounds@; smaller steps are slower and show fewer rings (0.5, and finer in images "
       "of few points)",
       { 0.05, 4.0 }, look.VolumeStep)
-    .Is(Rows::Option::SHAPES_SURFACE)
+    .Is(OptionRows::Option::SHAPES_SURFACE)
     .NamedIn("Look", "Step");
   rows
     .AddNumber("--point-size", "PIXELS",

@@ -29,8 +29,8 @@ void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, b
 
 ///@{
 /// The rows of --shading, and of a look.
-void AddShadingOption(Rows& rows, Shading& shading);
-void AddLookOptions(Rows& rows, LookChoice& look);
+void AddShadingOption(OptionRows& rows, Shading& shading);
+void AddLookOptions(OptionRows& rows, LookChoice& look);
 ///@}
 }
 

@@ -6,7 +6,7 @@
 #include "LightOptions.h"
 #include "Messages.h"
 #include "Numbers.h"
-#include "Rows.h"
+#include "OptionRows.h"
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -97,7 +97,7 @@ void CheckLights(vtkRenderer* renderer, const std::vector<LightChoice>& lights)
 }
 
 //------------------------------------------------------------------------------
-void AddLightOption(Rows& rows, std::vector<LightChoice>& lights)
+void AddLightOption(OptionRows& rows, std::vector<LightChoice>& lights)
 {
   static const std::string help = DescribeLights(); // words are parsed often
   vtkRelievoOption& light =

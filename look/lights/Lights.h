@@ -25,7 +25,7 @@ void AddLights(
 void CheckLights(vtkRenderer* renderer, const std::vector<LightChoice>& lights);
 
 /// The row of --light.
-void AddLightOption(Rows& rows, std::vector<LightChoice>& lights);
+void AddLightOption(OptionRows& rows, std::vector<LightChoice>& lights);
 }
 
 #endif

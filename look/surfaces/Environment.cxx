@@ -5,9 +5,9 @@
 #include "Errors.h"
 #include "Images.h"
 #include "Numbers.h"
+#include "OptionRows.h"
 #include "Progress.h"
 #include "ReadContext.h"
-#include "Rows.h"
 #include "SurfaceOptions.h"
 
 #include "vtkAlgorithm.h"
@@ -110,7 +110,7 @@ void ShowSky(vtkRenderer* renderer, vtkRelievoEnvironment* environment)
 }
 
 //------------------------------------------------------------------------------
-void AddEnvironmentOptions(Rows& rows, SurfaceChoice& surface)
+void AddEnvironmentOptions(OptionRows& rows, SurfaceChoice& surface)
 {
   // Words are parsed often: long texts are made once.
   static const std::string images = vtkRelievoImageFile::ListExtensions("", "|");
@@ -124,7 +124,7 @@ void AddEnvironmentOptions(Rows& rows, SurfaceChoice& surface)
         "Other values are" +
         values,
       surface, TakeEnvironment)
-    .Is(Rows::Option::SHAPES_SURFACE)
+    .Is(OptionRows::Option::SHAPES_SURFACE)
     .NamedIn("Light", "Environment")
     .Files = images;
   rows
@@ -132,10 +132,10 @@ void AddEnvironmentOptions(Rows& rows, SurfaceChoice& surface)
       "share of the environment's light that surfaces mirror at normal incidence, and "
       "roughness of the mirror, each 0 to 1 (0.04,0.2)",
       surface, TakeReflectivity)
-    .Is(Rows::Option::SHAPES_SURFACE)
+    .Is(OptionRows::Option::SHAPES_SURFACE)
     .NamedIn("Light", "Reflectivity");
   rows.AddFlag("--skybox", "shows the environment behind everything", surface.Skybox)
-    .Is(Rows::Option::SHAPES_SURFACE)
+    .Is(OptionRows::Option::SHAPES_SURFACE)
     .NamedIn("Light", "Show as sky");
 }
 }

@@ -34,7 +34,7 @@ vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
 void ShowSky(vtkRenderer* renderer, vtkRelievoEnvironment* environment);
 
 /// The rows of --environment, --reflectivity and --skybox.
-void AddEnvironmentOptions(Rows& rows, SurfaceChoice& surface);
+void AddEnvironmentOptions(OptionRows& rows, SurfaceChoice& surface);
 }
 
 #endif

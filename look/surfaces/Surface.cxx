@@ -5,7 +5,7 @@
 #include "Environment.h"
 #include "Errors.h"
 #include "Images.h"
-#include "Rows.h"
+#include "OptionRows.h"
 #include "SurfaceOptions.h"
 
 #include "vtkActor.h"
@@ -160,7 +160,7 @@ void SetSurface(vtkRenderer* renderer, const std::vector<vtkActor*>& without,
 }
 
 //------------------------------------------------------------------------------
-void AddMapOptions(Rows& rows, SurfaceChoice& surface)
+void AddMapOptions(OptionRows& rows, SurfaceChoice& surface)
 {
   // Words are parsed often: long texts are made once.
   static const std::string images = vtkRelievoImageFile::ListExtensions("", "|");
@@ -172,7 +172,7 @@ void AddMapOptions(Rows& rows, SurfaceChoice& surface)
         "; green points up, as in OpenGL), placed by the meshes' texture coordinates; linear "
         "values, not sRGB",
       surface.NormalMap)
-    .Is(Rows::Option::READS_FILES | Rows::Option::SHAPES_SURFACE)
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::SHAPES_SURFACE)
     .NamedIn("Look", "Normal map")
     .DropAs("the normal map")
     .Files = images;
@@ -181,7 +181,7 @@ void AddMapOptions(Rows& rows, SurfaceChoice& surface)
       "heights from an image; the ground lies SCALE below the mesh, in world units "
       "(0.02 of the scene's longest side)",
       surface, TakeHeightMap)
-    .Is(Rows::Option::READS_FILES | Rows::Option::SHAPES_SURFACE)
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::SHAPES_SURFACE)
     .NamedIn("Look", "Height map")
     .DropAs("the height map")
     .Files = images;
@@ -189,12 +189,12 @@ void AddMapOptions(Rows& rows, SurfaceChoice& surface)
     .AddChoice("--relief", "METHOD", GetReliefMethods(),
       "how heights are drawn: off (as normals only), parallax, steep, occlusion or relief (relief)",
       [&surface](std::size_t place) { surface.ReliefMethod = GetReliefMethods()[place]; })
-    .Is(Rows::Option::SHAPES_SURFACE | Rows::Option::OF_FILES)
+    .Is(OptionRows::Option::SHAPES_SURFACE | OptionRows::Option::OF_FILES)
     .NamedIn("Look", "Relief method");
   rows
     .Add("--material", "NAME=VALUE[,NAME=VALUE]...",
       "other values of the material of all surfaces" + values, surface, TakeMaterial)
-    .Is(Rows::Option::SHAPES_SURFACE)
+    .Is(OptionRows::Option::SHAPES_SURFACE)
     .NamedIn("Look", "Material");
   rows
     .AddChoice("--texture-coordinates", "METHOD", { "box", "plane", "sphere" },
@@ -204,7 +204,8 @@ void AddMapOptions(Rows& rows, SurfaceChoice& surface)
         constexpr Mapping methods[] = { Mapping::Box, Mapping::Plane, Mapping::Sphere };
         surface.TextureMapping = methods[place];
       })
-    .Is(Rows::Option::READS_FILES | Rows::Option::SHAPES_SURFACE | Rows::Option::OF_FILES)
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::SHAPES_SURFACE |
+      OptionRows::Option::OF_FILES)
     .NamedIn("Look", "Texture coordinates");
 }
 }

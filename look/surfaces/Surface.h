@@ -32,7 +32,7 @@ void SetSurface(vtkRenderer* renderer, const std::vector<vtkActor*>& without,
   const SurfaceChoice& surface, int up, bool opaque, ReadContext& context);
 
 /// The rows of maps, relief, material and texture coordinates.
-void AddMapOptions(Rows& rows, SurfaceChoice& surface);
+void AddMapOptions(OptionRows& rows, SurfaceChoice& surface);
 }
 
 #endif

@@ -3,8 +3,8 @@
 #include "VolumeImages.h"
 
 #include "Numbers.h"
+#include "OptionRows.h"
 #include "Progress.h"
-#include "Rows.h"
 #include "Values.h"
 
 #include "vtkAppendPolyData.h"
@@ -613,7 +613,7 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-void AddImageOption(Rows& rows, ImageChoice& image)
+void AddImageOption(OptionRows& rows, ImageChoice& image)
 {
   rows
     .Add("--image", "KIND",
@@ -623,7 +623,7 @@ void AddImageOption(Rows& rows, ImageChoice& image)
       "auto, labels if the image consists of labels, at most 2000, else surface (auto with "
       "a preset and without --color-by and --scalar-bar, else box)",
       [&image](const std::string& word) { image = ParseImage(word); })
-    .Is(Rows::Option::READS_FILES)
+    .Is(OptionRows::Option::READS_FILES)
     .NamedIn("Scene", "Images")
     .DropAs("how the image is shown")
     .Words = { "auto", "labels", "surface", "volume", "box" };

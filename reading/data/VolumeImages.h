@@ -41,7 +41,7 @@ struct ImageChoice
 ImageChoice ParseImage(const std::string& word);
 
 /// The row of --image.
-void AddImageOption(Rows& rows, ImageChoice& image);
+void AddImageOption(OptionRows& rows, ImageChoice& image);
 
 /// The image if the data has depth and one value per point, or else per cell; values of cells are
 /// moved to points. Null: other data.

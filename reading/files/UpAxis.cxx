@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UpAxis.h"
 
+#include "OptionRows.h"
 #include "Readers.h"
-#include "Rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ int FindUpAxis(const std::string& path, const double bounds[6])
 }
 
 //------------------------------------------------------------------------------
-void AddUpOption(Rows& rows, int& axis)
+void AddUpOption(OptionRows& rows, int& axis)
 {
   rows
     .AddChoice("--up", "AXIS", { "x", "y", "z" },
@@ -60,7 +60,7 @@ void AddUpOption(Rows& rows, int& axis)
       "= 0 like a figure; y or z for data that stands on y = 0 or on z = 0; else z for STL "
       "and grids with depth, y for others)",
       [&axis](std::size_t place) { axis = static_cast<int>(place); })
-    .Is(Rows::Option::READS_FILES | Rows::Option::SHAPES_SURFACE)
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::SHAPES_SURFACE)
     .NamedIn("Scene", "Up")
     .DropAs("the up axis");
 }

@@ -17,7 +17,7 @@ namespace reading
 int FindUpAxis(const std::string& path, const double bounds[6]);
 
 /// The row of --up: 0, 1, 2 for x, y, z.
-void AddUpOption(Rows& rows, int& axis);
+void AddUpOption(OptionRows& rows, int& axis);
 }
 
 #endif

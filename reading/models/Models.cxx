@@ -6,10 +6,10 @@
 #include "Errors.h"
 #include "ModelOptions.h"
 #include "ModelTextures.h"
+#include "OptionRows.h"
 #include "Progress.h"
 #include "ReadContext.h"
 #include "Readers.h"
-#include "Rows.h"
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
@@ -224,32 +224,33 @@ void PlayModel(PosedModel& model, double time, ReadContext& context)
 }
 
 //------------------------------------------------------------------------------
-void AddModelOptions(Rows& rows, ModelChoice& model)
+void AddModelOptions(OptionRows& rows, ModelChoice& model)
 {
   rows
     .Add("--time", "T", "the time of models with bones, in seconds (the animation's start)", model,
       TakeTime)
-    .Is(Rows::Option::READS_FILES | Rows::Option::OF_FILES);
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::OF_FILES);
   rows
     .Add("--times", "START:END:STEP",
       "draws a frame for each of these times, including the end; the names of --png, --exr "
       "and --report must contain %d or %04d, the frame number from 0. The fitted camera "
       "sees all frames, and each frame's files are written before the next frame is drawn",
       model, TakeTimes)
-    .Is(Rows::Option::READS_FILES | Rows::Option::OF_FILES | Rows::Option::OF_ONE_VIEW);
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::OF_FILES |
+      OptionRows::Option::OF_ONE_VIEW);
   rows
     .Add("--animation", "NAME", "the animation of the models to play (the first)", model,
       TakeAnimation)
-    .Is(Rows::Option::READS_FILES | Rows::Option::OF_FILES)
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::OF_FILES)
     .NamedIn("Scene", "Animation");
   rows
     .Add("--blend", "NAME=W", "blends in another animation with weight W, 0 to 1", model, TakeBlend)
-    .Is(Rows::Option::READS_FILES | Rows::Option::OF_FILES);
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::OF_FILES);
   rows
     .Add("--loop", "",
       "times after the end of an animation start again from its beginning (the end holds)", model,
       TakeLoop)
-    .Is(Rows::Option::READS_FILES | Rows::Option::OF_FILES)
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::OF_FILES)
     .NamedIn("Scene", "Start anew after the end");
   rows
     .AddChoice("--skin", "METHOD", { "linear", "dual-quaternion", "key-matrix", "off" },
@@ -261,19 +262,19 @@ void AddModelOptions(Rows& rows, ModelChoice& model)
         model.Skin = kinds[place];
         model.Given = true;
       })
-    .Is(Rows::Option::READS_FILES | Rows::Option::OF_FILES)
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::OF_FILES)
     .NamedIn("Scene", "Skinning");
   rows
     .Add("--skeleton", "",
       "draws the bones, and the axes of their joints in red, green and blue; --opacity "
       "affects only the mesh",
       model, TakeSkeleton)
-    .Is(Rows::Option::READS_FILES | Rows::Option::OF_FILES)
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::OF_FILES)
     .NamedIn("Scene", "Show the bones");
   rows
     .Add("--bone-weight", "BONE",
       "colours by the weight of one bone; --color-by first_bone colours by the strongest", model,
       TakeBoneWeight)
-    .Is(Rows::Option::READS_FILES | Rows::Option::OF_FILES);
+    .Is(OptionRows::Option::READS_FILES | OptionRows::Option::OF_FILES);
 }
 }

@@ -42,7 +42,7 @@ PosedModel ReadModel(
 void PlayModel(PosedModel& model, double time, ReadContext& context);
 
 /// The rows of the options of models.
-void AddModelOptions(Rows& rows, ModelChoice& model);
+void AddModelOptions(OptionRows& rows, ModelChoice& model);
 }
 
 #endif

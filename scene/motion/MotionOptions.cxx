@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MotionOptions.h"
 
+#include "OptionRows.h"
 #include "Readers.h"
-#include "Rows.h"
 #include "Values.h"
 #include "VideoFile.h"
 
@@ -25,7 +25,7 @@ void TakeVideo(MotionChoice& motion, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void AddMotionOptions(Rows& rows, MotionChoice& motion)
+void AddMotionOptions(OptionRows& rows, MotionChoice& motion)
 {
   vtkRelievoOption& turn = rows.Add("--turntable", "N",
     "draws N frames while the camera goes once around the scene, about the up axis, "

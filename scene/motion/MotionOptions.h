@@ -24,7 +24,7 @@ struct MotionChoice
 };
 
 /// The rows of these options.
-void AddMotionOptions(Rows& rows, MotionChoice& motion);
+void AddMotionOptions(OptionRows& rows, MotionChoice& motion);
 }
 
 #endif

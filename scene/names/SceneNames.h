@@ -7,7 +7,7 @@
 
 namespace words
 {
-class Rows;
+class OptionRows;
 }
 namespace reading
 {

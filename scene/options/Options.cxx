@@ -9,10 +9,10 @@
 #include "Lights.h"
 #include "Look.h"
 #include "Models.h"
+#include "OptionRows.h"
 #include "OutputOptions.h"
 #include "Presets.h"
 #include "Readers.h"
-#include "Rows.h"
 #include "SequenceOptions.h"
 #include "ShadowOptions.h"
 #include "Surface.h"
@@ -98,7 +98,7 @@ void TakeLens(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void AddSizeOptions(Rows& rows, RenderOptions& all)
+void AddSizeOptions(OptionRows& rows, RenderOptions& all)
 {
   vtkRelievoOption& allowFolder =
     rows
@@ -106,23 +106,23 @@ void AddSizeOptions(Rows& rows, RenderOptions& all)
         "allows files to name others, such as textures, buffers and pieces, in this folder "
         "and below (each file's own folder)",
         [&all](const std::string& word) { all.AllowedFolders.push_back(word); })
-      .Is(Rows::Option::READS_FILES | Rows::Option::OF_FILES);
+      .Is(OptionRows::Option::READS_FILES | OptionRows::Option::OF_FILES);
   allowFolder.Repeats = true;
   allowFolder.Files = "/";
   rows.Add("--size", "WxH", "size of the picture in pixels, 1 to 16384 (1024x768)", all, TakeSize)
-    .Is(Rows::Option::KEEPS_STYLE);
+    .Is(OptionRows::Option::KEEPS_STYLE);
   rows
     .Add("--figure", "WIDTHmm,DPI",
       "a picture for print, such as 85mm,300: of this width at this resolution, which the PNG "
       "records, with the proportions of --size; texts of bars and grid in 8 points, lines in half "
       "a point",
       all, TakeFigure)
-    .Is(Rows::Option::OF_ONE_VIEW)
+    .Is(OptionRows::Option::OF_ONE_VIEW)
     .RefuseLens("a lens has a size of its own");
 }
 
 //------------------------------------------------------------------------------
-void AddLensOption(Rows& rows, RenderOptions& all)
+void AddLensOption(OptionRows& rows, RenderOptions& all)
 {
   vtkRelievoOption& lens =
     rows
@@ -135,7 +135,7 @@ void AddLensOption(Rows& rows, RenderOptions& all)
           "; or a calibration file, which also gives the size: .yml, .yaml, .json or .xml by "
           "OpenCV, ROS, Kalibr or EuRoC, also with .gz, or COLMAP's cameras.txt",
         all, TakeLens)
-      .Is(Rows::Option::OF_ALL_VIEWS);
+      .Is(OptionRows::Option::OF_ALL_VIEWS);
   lens.OfOutputs = true;
   lens.Files = "json|yml|yaml|xml|txt|gz";
   lens.Words = vtkRelievoCalibration::GetNames();
@@ -145,7 +145,7 @@ void AddLensOption(Rows& rows, RenderOptions& all)
 //------------------------------------------------------------------------------
 vtkRelievoCommand DescribeRender(RenderOptions& all)
 {
-  Rows rows;
+  OptionRows rows;
   rows.Command.Name = "render";
   rows.Command.Use = "FILE... --png F | --exr F | --baseline F | --gltf F | --report F";
   rows.Command.About = "render draws the FILEs off screen and writes the outputs that you request.";

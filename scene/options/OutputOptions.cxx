@@ -3,9 +3,9 @@
 #include "OutputOptions.h"
 
 #include "Errors.h"
+#include "OptionRows.h"
 #include "Options.h"
 #include "Readers.h"
-#include "Rows.h"
 #include "Values.h"
 
 #include "vtkRelievoLayerCatalogue.h"
@@ -45,7 +45,7 @@ std::string NamedAs(
 }
 
 //------------------------------------------------------------------------------
-void AddPictureOptions(Rows& rows, RenderOptions& all)
+void AddPictureOptions(OptionRows& rows, RenderOptions& all)
 {
   vtkRelievoOption& layers =
     rows
@@ -56,7 +56,7 @@ void AddPictureOptions(Rows& rows, RenderOptions& all)
           "point or cell array; with --times also flow, motion and flow_valid, towards the "
           "previous frame",
         all, TakeLayers)
-      .Is(Rows::Option::OF_ALL_VIEWS);
+      .Is(OptionRows::Option::OF_ALL_VIEWS);
   layers.Repeats = true;
   layers.OfOutputs = true;
   vtkRelievoOption& png = rows.Add("--png", "F", "the picture",
@@ -73,7 +73,7 @@ void AddPictureOptions(Rows& rows, RenderOptions& all)
 }
 
 //------------------------------------------------------------------------------
-void AddOutputOptions(Rows& rows, RenderOptions& all)
+void AddOutputOptions(OptionRows& rows, RenderOptions& all)
 {
   vtkRelievoOption& exr = rows.Add("--exr", "F",
     "OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...",

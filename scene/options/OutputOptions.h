@@ -14,8 +14,8 @@ struct RenderOptions;
 
 ///@{
 /// The rows of --layers, --png and --transparent, and of --exr and the later ones.
-void AddPictureOptions(Rows& rows, RenderOptions& options);
-void AddOutputOptions(Rows& rows, RenderOptions& options);
+void AddPictureOptions(OptionRows& rows, RenderOptions& options);
+void AddOutputOptions(OptionRows& rows, RenderOptions& options);
 ///@}
 
 /// Throws UsageError unless there is a file and an output.

@@ -3,9 +3,9 @@
 #include "PointOptions.h"
 
 #include "Errors.h"
+#include "OptionRows.h"
 #include "Options.h"
 #include "Readers.h"
-#include "Rows.h"
 #include "Values.h"
 
 #include "vtkNew.h"
@@ -175,7 +175,7 @@ vtkSmartPointer<vtkRelievoPointValues> MakePointValues(const std::string& stage)
 }
 
 //------------------------------------------------------------------------------
-void AddPointOptions(Rows& rows, RenderOptions& all)
+void AddPointOptions(OptionRows& rows, RenderOptions& all)
 {
   static const std::string extensions = Join(GetExtensions(), "|");
   for (const PointStage& stage : GetPointStages())

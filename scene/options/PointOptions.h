@@ -44,7 +44,7 @@ struct PointsChoice
 };
 
 /// The rows of these options.
-void AddPointOptions(Rows& rows, RenderOptions& options);
+void AddPointOptions(OptionRows& rows, RenderOptions& options);
 
 /// Parses the file and the values, each name once; \, is a comma within a value. Throws UsageError.
 std::string ParseFileAndValues(

@@ -5,8 +5,8 @@
 #include "Errors.h"
 #include "NightSky.h"
 #include "Numbers.h"
+#include "OptionRows.h"
 #include "Options.h"
-#include "Rows.h"
 #include "Settings.h"
 #include "ShadowOptions.h"
 #include "Values.h"
@@ -338,7 +338,7 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
 }
 
 //------------------------------------------------------------------------------
-void AddPresetOption(Rows& rows, RenderOptions& all)
+void AddPresetOption(OptionRows& rows, RenderOptions& all)
 {
   rows
     .Add("--preset", "NAME",
@@ -351,7 +351,7 @@ void AddPresetOption(Rows& rows, RenderOptions& all)
 }
 
 //------------------------------------------------------------------------------
-void AddFillOption(Rows& rows, RenderOptions& all)
+void AddFillOption(OptionRows& rows, RenderOptions& all)
 {
   rows
     .AddNumber("--fill", "F",

@@ -31,8 +31,8 @@ const std::vector<PresetParameter>& GetPresetParameters();
 
 ///@{
 /// The rows of --preset and --fill.
-void AddPresetOption(Rows& rows, RenderOptions& options);
-void AddFillOption(Rows& rows, RenderOptions& options);
+void AddPresetOption(OptionRows& rows, RenderOptions& options);
+void AddFillOption(OptionRows& rows, RenderOptions& options);
 ///@}
 
 /// Removes --fill if the preset has no fill lights, because it would be refused.

@@ -4,8 +4,8 @@
 
 #include "Errors.h"
 #include "Numbers.h"
+#include "OptionRows.h"
 #include "Options.h"
-#include "Rows.h"
 
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoParameter.h"
@@ -98,11 +98,11 @@ void CheckShadowLayers(const RenderOptions& options, int lights, const std::stri
 }
 
 //------------------------------------------------------------------------------
-void AddShadowOptions(Rows& rows, RenderOptions& all)
+void AddShadowOptions(OptionRows& rows, RenderOptions& all)
 {
   AddSwitch(rows, all.Stages, "--shadows", "METHOD", "shadows", "method",
     "shadows of the lights in the picture: @choices@ (map with studio and town, else off)")
-    .Is(Rows::Option::KEEPS_STYLE)
+    .Is(OptionRows::Option::KEEPS_STYLE)
     .NamedIn("Light", "Shadows");
   rows
     .AddChoice("--volume-shadows", "KIND", { "both", "casts", "receives", "none" },

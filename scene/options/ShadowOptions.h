@@ -18,7 +18,7 @@ namespace scene
 struct RenderOptions;
 
 /// The rows of shadows, from --shadows to --certify.
-void AddShadowOptions(Rows& rows, RenderOptions& options);
+void AddShadowOptions(OptionRows& rows, RenderOptions& options);
 
 /// Shows shadows by maps, unless options say otherwise.
 void ShowShadows(RenderOptions& options, const NamedWords& parameters = {});

@@ -4,7 +4,7 @@
 
 #include "Arguments.h"
 #include "Errors.h"
-#include "Rows.h"
+#include "OptionRows.h"
 #include "Values.h"
 
 #include "vtkNew.h"
@@ -161,9 +161,9 @@ std::string DescribeStages()
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoOption& AddOfStage(Rows& rows, std::vector<StageChoice>& stages, const std::string& use,
-  const std::string& stage, const std::string& parameter, const std::string& help,
-  const std::function<std::string(const std::string& word)>& read)
+vtkRelievoOption& AddOfStage(OptionRows& rows, std::vector<StageChoice>& stages,
+  const std::string& use, const std::string& stage, const std::string& parameter,
+  const std::string& help, const std::function<std::string(const std::string& word)>& read)
 {
   vtkRelievoParameter set = *GetNewFrame()->GetStage(stage)->GetDescription().Find(parameter);
   set.Help = help;
@@ -185,9 +185,9 @@ vtkRelievoOption& AddOfStage(Rows& rows, std::vector<StageChoice>& stages, const
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoOption& AddSwitch(Rows& rows, std::vector<StageChoice>& stages, const std::string& name,
-  const std::string& form, const std::string& stage, const std::string& parameter,
-  const std::string& help)
+vtkRelievoOption& AddSwitch(OptionRows& rows, std::vector<StageChoice>& stages,
+  const std::string& name, const std::string& form, const std::string& stage,
+  const std::string& parameter, const std::string& help)
 {
   const vtkRelievoParameter& set =
     *GetNewFrame()->GetStage(stage)->GetDescription().Find(parameter);
@@ -225,7 +225,7 @@ void TakeAmbient(std::vector<StageChoice>& stages, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void AddAmbientOption(Rows& rows, std::vector<StageChoice>& stages)
+void AddAmbientOption(OptionRows& rows, std::vector<StageChoice>& stages)
 {
   rows
     .Add("--ambient", "STRENGTH[,radius=R][,NAME=VALUE]...",
@@ -238,7 +238,7 @@ void AddAmbientOption(Rows& rows, std::vector<StageChoice>& stages)
 }
 
 //------------------------------------------------------------------------------
-void AddStageOptions(Rows& rows, std::vector<StageChoice>& stages)
+void AddStageOptions(OptionRows& rows, std::vector<StageChoice>& stages)
 {
   vtkRelievoOption& deferred =
     rows

@@ -53,21 +53,22 @@ std::string DescribeStages();
 ///@{
 /// Adds the row of an option that sets a parameter of a stage, and returns it. `help` precedes the
 /// range and the default; `read` converts the option's value to the parameter's.
-vtkRelievoOption& AddOfStage(Rows& rows, std::vector<StageChoice>& stages, const std::string& use,
-  const std::string& stage, const std::string& parameter, const std::string& help,
+vtkRelievoOption& AddOfStage(OptionRows& rows, std::vector<StageChoice>& stages,
+  const std::string& use, const std::string& stage, const std::string& parameter,
+  const std::string& help,
   const std::function<std::string(const std::string& word)>& read = nullptr);
 
 /// One that also switches the stage: its values are `off` and the choices of the parameter, which
 /// replace @choices@ in the help.
-vtkRelievoOption& AddSwitch(Rows& rows, std::vector<StageChoice>& stages, const std::string& name,
-  const std::string& form, const std::string& stage, const std::string& parameter,
-  const std::string& help);
+vtkRelievoOption& AddSwitch(OptionRows& rows, std::vector<StageChoice>& stages,
+  const std::string& name, const std::string& form, const std::string& stage,
+  const std::string& parameter, const std::string& help);
 ///@}
 
 ///@{
 /// The rows of --ambient, and of --deferred and --stage.
-void AddAmbientOption(Rows& rows, std::vector<StageChoice>& stages);
-void AddStageOptions(Rows& rows, std::vector<StageChoice>& stages);
+void AddAmbientOption(OptionRows& rows, std::vector<StageChoice>& stages);
+void AddStageOptions(OptionRows& rows, std::vector<StageChoice>& stages);
 ///@}
 }
 

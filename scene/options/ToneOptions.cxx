@@ -3,8 +3,8 @@
 #include "ToneOptions.h"
 
 #include "Errors.h"
+#include "OptionRows.h"
 #include "Options.h"
-#include "Rows.h"
 #include "Values.h"
 
 namespace scene
@@ -61,7 +61,7 @@ void TakeExposure(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void AddToneOptions(Rows& rows, RenderOptions& all)
+void AddToneOptions(OptionRows& rows, RenderOptions& all)
 {
   vtkRelievoOption& tone =
     rows

@@ -13,7 +13,7 @@ namespace scene
 struct RenderOptions;
 
 /// The rows of these options.
-void AddToneOptions(Rows& rows, RenderOptions& options);
+void AddToneOptions(OptionRows& rows, RenderOptions& options);
 }
 
 #endif

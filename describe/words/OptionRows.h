@@ -16,7 +16,7 @@ namespace words
 {
 /// Each function adds an option, whose value goes to `take` or to a variable that must outlive the
 /// command, and returns it for further traits; it may move when the next option is added.
-class Rows
+class OptionRows
 {
 public:
   using Option = vtkRelievoOption;

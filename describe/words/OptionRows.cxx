@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Rows.h"
+#include "OptionRows.h"
 
 #include "Numbers.h"
 #include "Values.h"
@@ -17,7 +17,7 @@ std::string Insert(std::string help, const std::string& mark, const std::string&
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoOption& Rows::Add(
+vtkRelievoOption& OptionRows::Add(
   const std::string& name, const std::string& form, const std::string& help, const Taker& take)
 {
   Option option;
@@ -33,20 +33,20 @@ vtkRelievoOption& Rows::Add(
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoOption& Rows::AddFlag(const std::string& name, const std::string& help, bool& flag)
+vtkRelievoOption& OptionRows::AddFlag(const std::string& name, const std::string& help, bool& flag)
 {
   return this->Add(name, "", help, [&flag](const std::string&) { flag = true; });
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoOption& Rows::AddText(
+vtkRelievoOption& OptionRows::AddText(
   const std::string& name, const std::string& form, const std::string& help, std::string& text)
 {
   return this->Add(name, form, help, [&text](const std::string& word) { text = word; });
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoOption& Rows::AddParsed(const std::string& name, const std::string& form,
+vtkRelievoOption& OptionRows::AddParsed(const std::string& name, const std::string& form,
   const std::string& help, const Option::Bounds& range, const std::function<void(double)>& take)
 {
   const std::string least = WriteNumber(range.Least), most = WriteNumber(range.Most);
@@ -62,7 +62,7 @@ vtkRelievoOption& Rows::AddParsed(const std::string& name, const std::string& fo
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoOption& Rows::AddChoice(const std::string& name, const std::string& form,
+vtkRelievoOption& OptionRows::AddChoice(const std::string& name, const std::string& form,
   const std::vector<std::string>& choices, const std::string& help,
   const std::function<void(std::size_t place)>& take)
 {
