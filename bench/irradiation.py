@@ -7,18 +7,18 @@
 Needs the package relievo in PYTHONPATH, and numpy; with pvlib (0.16 was tried) and pandas also the
 rows of planes. Scenes:
 
-- courtyard, canyon: the floor of a courtyard twice as wide as high, whose walls share their edges or
-  are separate, and of a long canyon twice as wide as high, under a uniform sky, whose share at each
-  place has a closed form. By relievo's `tolerance`, with bounds, and by `sky`, a number of rays
-  without bounds.
+- courtyard, canyon: the floor of a courtyard twice as wide as high, whose walls share their edges
+  or are separate, and of a long canyon twice as wide as high, under a uniform sky, whose share at
+  each place has a closed form. By relievo's `tolerance`, with bounds, and by `sky`, a number of
+  rays without bounds.
 - canyon, sun: the same floor under the sun of a day of 500 W/m2. The truth has the sun of every two
   seconds, and no rays.
-- a plane, by name: a year at Vienna without clouds, by skies that are uniform or by Perez. The truth
-  is pvlib's, in steps of five minutes.
+- a plane, by name: a year at Vienna without clouds, by skies that are uniform or by Perez. The
+  truth is pvlib's, in steps of five minutes.
 
-Columns: kWh/m2 in the mean of all places (of `sky`, the share of the sky); the largest error, the rms
-error and the largest bound, in percent of each place's value; processor milliseconds of all threads,
-the least of the rounds (3). --small measures small scenes, in seconds. Exit status: 0.
+Columns: kWh/m2 in the mean of all places (of `sky`, the share of the sky); the largest error, the
+rms error and the largest bound, in percent of each place's value; processor milliseconds of all
+threads, the least of the rounds (3). --small measures small scenes, in seconds. Exit status: 0.
 """
 
 import argparse
@@ -140,7 +140,8 @@ class Rows:
 
 def skies(rows, side, tolerances, samples):
     for scene, (floor, walls, share) in (
-        ("courtyard", courtyard(side)), ("courtyard, separate walls", courtyard(side, merged=False)),
+        ("courtyard", courtyard(side)),
+        ("courtyard, separate walls", courtyard(side, merged=False)),
         ("canyon", canyon(side)),
     ):  # fmt: skip
         for tolerance in tolerances:

@@ -18,8 +18,8 @@ HELP = subprocess.run(
 WORDS = subprocess.run(
     [RELIEVO, "--words"], stdout=subprocess.PIPE, text=True, check=True
 ).stdout
-VERBS = ("render", "compare", "dataset", "visible", "sun", "cover", "view-factors", "merge", "verify",
-         "status", "cave", "bench")  # fmt: skip
+VERBS = ("render", "compare", "dataset", "visible", "sun", "cover", "view-factors", "merge",
+         "verify", "status", "cave", "bench")  # fmt: skip
 DOCS = pathlib.Path(COMPLETION).parents[3] / "docs"
 
 # A substitute for the parts of bash-completion that complete files and colons.
