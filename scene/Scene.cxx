@@ -350,9 +350,7 @@ void LayGround(Scene& scene, const RenderOptions& options)
   {
     // Moving models would leave the darkness of their first moment behind; the stage `ambient`
     // darkens the ground itself.
-    const bool hasContact = !scene.Times &&
-      std::none_of(options.Stages.begin(), options.Stages.end(),
-        [](const StageChoice& stage) { return stage.Name == "ambient"; });
+    const bool hasContact = !scene.Times && !DarkensByRays(options.Stages);
     scene.Ground = MakeGround(scene.Bounds, options.UpAxis,
       options.Look.Background.empty() ? Color{} : options.Look.Background.front(),
       hasContact ? scene.Renderer.Get() : nullptr);

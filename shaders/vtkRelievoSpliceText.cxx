@@ -18,8 +18,9 @@ void vtkRelievoSpliceText::MarkBehind(
 }
 
 //------------------------------------------------------------------------------
-const char* const vtkRelievoSpliceText::BehindLight[3] = { "//RELIEVO::Shadow::Caught",
-  "//RELIEVO::Ambient::Impl", "//RELIEVO::Lamps::Impl" };
+const char* const vtkRelievoSpliceText::BehindLight[5] = { "//RELIEVO::Shadow::Caught",
+  "//RELIEVO::Fill::Impl", "//RELIEVO::Shadow::Direct", "//RELIEVO::Ambient::Impl",
+  "//RELIEVO::Lamps::Impl" };
 
 //------------------------------------------------------------------------------
 void vtkRelievoSpliceText::MarkBehindLight(std::string& source, const char* mark)

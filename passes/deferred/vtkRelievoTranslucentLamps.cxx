@@ -24,7 +24,7 @@ namespace
 const char* const File = "deferred/translucent.glsl";
 const char* const Extensions = "//RELIEVO::Lamps::Extensions";
 const char* const Dec = "//RELIEVO::Lamps::Dec";
-const char* const Impl = BehindLight[2];
+const char* const Impl = BehindLight[4];
 }
 
 //------------------------------------------------------------------------------

@@ -77,7 +77,8 @@ RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA32F);
 // Outputs for shaders that are no layers.
 bool IsForShaders(const vtkRelievoResourceName& name)
 {
-  return name == vtkRelievoResources::Surface || name == vtkRelievoResources::Shading;
+  return name == vtkRelievoResources::Surface || name == vtkRelievoResources::Shading ||
+    name == vtkRelievoResources::DirectLight;
 }
 }
 
@@ -162,8 +163,9 @@ void vtkRelievoLayersStage::Describe(vtkRelievoStageDescription& description)
     }
   }
   description.WritesArrays = true;
-  // For lighting stages: next to VTK's own light, and instead of it.
-  description.Writes = { vtkRelievoResources::Surface, vtkRelievoResources::Shading };
+  // For lighting stages: next to VTK's own light, instead of it, and how much of it is direct.
+  description.Writes = { vtkRelievoResources::Surface, vtkRelievoResources::Shading,
+    vtkRelievoResources::DirectLight };
 }
 
 //------------------------------------------------------------------------------
@@ -593,7 +595,14 @@ void vtkRelievoLayersStage::Internals::Arrange(
   layout.NormalDepth = separate ? static_cast<int>(NORMAL_DEPTH_SEPARATE) : self.NormalDepthFormat;
   for (const std::string& layer : context.GetAsked(&self))
   {
-    if (IsForShaders(vtkRelievoResourceName::Of(layer)))
+    const auto name = vtkRelievoResourceName::Of(layer);
+    if (name == vtkRelievoResources::DirectLight)
+    {
+      // Deferred shading adds the lights later.
+      layout.DirectLight = context.IsPlanned(vtkRelievoResources::ShadowMaps) &&
+        !context.IsPlanned(vtkRelievoResources::Shading);
+    }
+    else if (IsForShaders(name))
     {
       layout.Surface = true;
     }

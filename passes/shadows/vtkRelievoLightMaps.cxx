@@ -214,7 +214,8 @@ std::string vtkRelievoLightMaps::MakeShade(vtkOpenGLRenderWindow* window, const 
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoLightMaps::UpdateStructure(const vtkRelievoShadowLights& lights, bool unlit)
+bool vtkRelievoLightMaps::UpdateStructure(
+  const vtkRelievoShadowLights& lights, bool unlit, bool direct)
 {
   vtkRelievoShadowStructure structure;
   structure.Method = this->Method->GetShader();
@@ -228,6 +229,7 @@ bool vtkRelievoLightMaps::UpdateStructure(const vtkRelievoShadowLights& lights, 
   structure.Maps = !structure.Traced || this->Work.Cache.GetNumberOfMaps() > 0;
   structure.Numbers = static_cast<int>(lights.GetAll().size());
   structure.Unlit = unlit;
+  structure.Direct = direct;
   structure.WideFilter = this->Work.Radius > 1;
   structure.Highlights = this->Work.Props.HasHighlights();
   structure.Parts = 0;

@@ -55,8 +55,8 @@ public:
   static int GetSizeHere(int size, vtkRelievoMessagesOnce& messages);
 
   // Whether the shaders of receivers must differ from the previous frame's. `unlit`: visibility is
-  // requested also where no light is computed.
-  bool UpdateStructure(const vtkRelievoShadowLights& lights, bool unlit);
+  // requested also where no light is computed. `direct`: the share of the casting lights is.
+  bool UpdateStructure(const vtkRelievoShadowLights& lights, bool unlit, bool direct);
 
   ///@{
   // Draws the missing maps and binds all; then draws the method's own data. Both return the draw

@@ -320,7 +320,9 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
       in.Messages.Error("No shadows of volumes: " + noShade);
     }
   }
-  if (in.Maps.UpdateStructure(in.Lights, in.LayersAsked))
+  const bool direct = context.IsPlanned(vtkRelievoResources::DirectLight) &&
+    !context.IsPlanned(vtkRelievoResources::Shading);
+  if (in.Maps.UpdateStructure(in.Lights, in.LayersAsked, direct))
   {
     this->ModifyShaders();
     in.Volumes.ModifyShaders();

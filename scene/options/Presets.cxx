@@ -11,10 +11,6 @@
 #include "ShadowOptions.h"
 #include "Values.h"
 
-#include <vtkNew.h>
-#include <vtkRelievoPass.h>
-#include <vtkRelievoStage.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
@@ -136,26 +132,6 @@ void AddMoon(RenderOptions& options, const Preset& preset)
     moon.Casts = true;
     options.Lights.push_back(moon);
   }
-}
-
-bool IsRequested(const std::vector<StageChoice>& stages, const std::string& name)
-{
-  return std::any_of(
-    stages.begin(), stages.end(), [&name](const StageChoice& stage) { return stage.Name == name; });
-}
-
-// Whether the stage `ambient` is on, and darkens more than the ground.
-bool DarkensSurfaces(const std::vector<StageChoice>& stages)
-{
-  if (!IsRequested(stages, "ambient"))
-  {
-    return false;
-  }
-  vtkNew<vtkRelievoPass> pass;
-  SetStages(pass, stages);
-  vtkRelievoStage* ambient = pass->GetStage("ambient");
-  return ambient->GetEnabled() && ambient->GetParameter("only_catchers") != "on" &&
-    ambient->GetParameter("strength") != "0";
 }
 
 // Applies if no option sets shadows; layers and verdicts use point lights.
@@ -322,11 +298,6 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   if (lights)
   {
     options.Look.IsReadable = options.ShadingKind != Shading::PBR;
-    // Ambient occlusion by rays darkens the fill lights, too.
-    if (DarkensSurfaces(options.Stages) && !IsRequested(options.Stages, "fill"))
-    {
-      AddStage(options.Stages, "fill", "--preset").Parameters.emplace_back("occlusion", "0");
-    }
     AddMoon(options, *preset);
     AddSuns(options, *preset, given.count("--light") > 0);
     if (preset->Angle >= 0.0)

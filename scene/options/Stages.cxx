@@ -12,6 +12,7 @@
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace scene
@@ -139,6 +140,20 @@ void SetStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages)
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool DarkensByRays(const std::vector<StageChoice>& stages)
+{
+  if (std::none_of(stages.begin(), stages.end(),
+        [](const StageChoice& stage) { return stage.Name == "ambient"; }))
+  {
+    return false;
+  }
+  vtkNew<vtkRelievoPass> pass;
+  SetStages(pass, stages);
+  vtkRelievoStage* ambient = pass->GetStage("ambient");
+  return ambient->GetEnabled() && ambient->GetParameter("strength") != "0";
 }
 
 //------------------------------------------------------------------------------

@@ -47,6 +47,9 @@ void CheckStages(const std::vector<StageChoice>& stages);
 /// Switches the stages on, with their parameters; stages that work while off need `enabled=on`.
 void SetStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages);
 
+/// Whether the stage `ambient` is on, and darkens anything.
+bool DarkensByRays(const std::vector<StageChoice>& stages);
+
 /// Every stage with its parameters, ranges and defaults, as text.
 std::string DescribeStages();
 

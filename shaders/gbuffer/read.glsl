@@ -203,6 +203,14 @@ relievoSurface relievoFetchSurface(ivec2 pixel)
 }
 #endif
 
+#ifdef RELIEVO_DIRECT_LIGHT_WORD
+// The share of casting lights in the light of each linear colour channel.
+vec3 relievoFetchDirectLight(ivec2 pixel)
+{
+  return unpackUnorm4x8(relievoFetchWord(pixel, RELIEVO_DIRECT_LIGHT_WORD)).rgb;
+}
+#endif
+
 #ifdef RELIEVO_SHADOW_WORD
 // The unshadowed share of the light with this index among the stored ones: 1 lit, 0 dark.
 float relievoFetchVisibility(ivec2 pixel, int place)

@@ -281,6 +281,9 @@ uvec3 relievoPackNormal(vec3 n)
 #endif
 #endif
 
+#ifdef RELIEVO_DIRECT_LIGHT_WORD
+  relievoWords[RELIEVO_DIRECT_LIGHT_WORD] = packUnorm4x8(vec4(RELIEVO_DIRECT_LIGHT, 0.0));
+#endif
 #ifdef RELIEVO_SHADOW_WORD
   //RELIEVO::Shadow::Words
 #endif

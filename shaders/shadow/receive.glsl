@@ -9,7 +9,8 @@
 // (surfaces colour the transmitted light), RELIEVO_VOLUME_TINTED (volumes do), and by the mapper's
 // shader: RELIEVO_SHADOW_TRIANGLES
 // (planes come from derivatives), RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor,
-// normalVCVSOutput is exact). Names shared with other splices: splice/contract.glsl.
+// normalVCVSOutput is exact), RELIEVO_SHADOW_LINEAR_LIGHT (of PBR surfaces). Names shared with
+// other splices: splice/contract.glsl.
 //
 // On shadow catchers VTK's light code appears twice, in the sections CatchImpl and CaughtImpl: with
 // shadows and without. Both light a white surface; the catcher's colour is VTK's ambientColor.
@@ -207,9 +208,47 @@ RELIEVO_LIGHT_OF_VTK
   diffuseColor = vec3(0.0);
   for (int i = 0; i < 3; ++i)
   {
-    gl_FragData[0][i] =
-      ambientColor[i] * relievoCatcherShare(relievoReaches[i], gl_FragData[0][i]);
+    float all = gl_FragData[0][i];
+    float share = relievoCatcherShare(relievoReaches[i], all);
+    relievoDirectLight[i] = pow(min(1.0 - relievoCatcherShare(0.0, all) / share, 0.5), 2.2);
+    gl_FragData[0][i] = ambientColor[i] * share;
   }
+
+// The share of casting lights. For it VTK's light code appears twice, with them and without, and a
+// catcher's is that of its unshadowed part, at most half of what is shown, as in the contact shade
+// of grounds.
+//RELIEVO::Section(DirectDec)
+vec3 relievoDirectLight;
+#undef RELIEVO_DIRECT_LIGHT
+#define RELIEVO_DIRECT_LIGHT relievoDirectLight
+
+// VTK adds up the light of PBR surfaces in linear colours, and other light in displayed ones.
+vec3 relievoLightSum(vec3 shown)
+{
+#ifdef RELIEVO_SHADOW_LINEAR_LIGHT
+  return pow(max(shown, vec3(0.0)), vec3(2.2));
+#else
+  return shown;
+#endif
+}
+
+//RELIEVO::Section(NoLightImpl)
+  relievoShadowedColorRELIEVO_NUMBER = vec3(0.0);
+
+//RELIEVO::Section(OthersImpl)
+  vec4 relievoLit = gl_FragData[0];
+  {
+RELIEVO_LIGHT_OF_VTK
+  }
+  relievoDirectLight = relievoLightSum(relievoLit.rgb) - relievoLightSum(gl_FragData[0].rgb);
+  gl_FragData[0] = relievoLit;
+
+//RELIEVO::Section(DirectImpl)
+  relievoDirectLight /= max(relievoLightSum(gl_FragData[0].rgb), vec3(1e-6));
+  relievoDirectLight = clamp(relievoDirectLight, vec3(0.0), vec3(1.0));
+#ifndef RELIEVO_SHADOW_LINEAR_LIGHT
+  relievoDirectLight = pow(relievoDirectLight, vec3(2.2));
+#endif
 
 //RELIEVO::Section(LightImpl)
   relievoShadowedColorRELIEVO_NUMBER = relievoUnshadowedColorRELIEVO_NUMBER() *

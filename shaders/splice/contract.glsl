@@ -10,6 +10,9 @@
 //                                                    of the renderer's light `number` (from 0,
 //                                                    switched-off lights included); after
 //                                                    //VTK::Light::Impl
+// RELIEVO_DIRECT_LIGHT        shadow       gbuffer   vec3, 0 to 1: the share of casting lights in
+//                                                    the light of each linear colour channel;
+//                                                    after //VTK::Light::Impl
 // RELIEVO_SURFACE_VC          material     gbuffer   vec3, eye space, world units: the position
 //                                                    at the fragment's depth; after
 //                                                    //VTK::UniformFlow::Impl
@@ -43,6 +46,7 @@
 #ifndef RELIEVO_CONTRACT
 #define RELIEVO_CONTRACT
 #define RELIEVO_VISIBILITY(number) 1.0
+#define RELIEVO_DIRECT_LIGHT vec3(0.0)
 #define RELIEVO_SURFACE_VC vertexVC.xyz
 #define RELIEVO_RECEIVER(matrix, place) (place)
 #define RELIEVO_ALPHA(alpha) (alpha)

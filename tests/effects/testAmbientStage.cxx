@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // vtkRelievoAmbientStage: the share of the sky against closed forms and many rays of Embree; places
-// with all or none of it; occluders and props that do not occlude; and the darkened picture.
+// with all or none of it; occluders and props that do not occlude; and the darkened
+// picture, without the light of lights that cast shadows.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
@@ -16,6 +17,7 @@
 #include <vtkCubeSource.h>
 #include <vtkDiskSource.h>
 #include <vtkGlyph3DMapper.h>
+#include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 
@@ -25,10 +27,12 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoAmbientStage.h>
+#include <vtkRelievoFillLight.h>
 #include <vtkRelievoLayersStage.h>
 #include <vtkRelievoMeshTexels.h>
 #include <vtkRelievoOFFReader.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
@@ -571,6 +575,137 @@ void TestPicture()
   RELIEVO_CHECK(scene.Stage->GetReason() == "the strength is 0");
   gl.Poll("end of the test");
 }
+
+double ToLinear(double shown)
+{
+  return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
+}
+
+double GetShown(vtkImageData* picture, int x, int y)
+{
+  return static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0))[1] / 255.0;
+}
+
+// Below a ball the light of other lights is darkened by the closed form of the visible sky. A sun
+// that shines under it is not.
+void TestLights()
+{
+  enum Kind
+  {
+    Plain, // another light that casts no shadow
+    Fill,
+    Ambient, // VTK's ambient term
+    Pbr,
+    Deferred // whose lights cannot be told apart
+  };
+  constexpr double direct = 0.35;
+  constexpr double other = 0.4;
+  for (const Kind kind : { Plain, Fill, Ambient, Pbr, Deferred })
+  {
+    Scene scene;
+    scene.Renderer->AutomaticLightCreationOff();
+    vtkActor* ground = scene.AddPlate({ -9.0, -9.0, 0.0 }, { 9.0, -9.0, 0.0 }, { -9.0, 9.0, 0.0 });
+    scene.AddBall(0.0, 0.0, 1.25, 1.0);
+    scene.Look(5.0, 0.0, 2.0);
+    const auto addLight = [&](const glm::dvec3& from, double intensity, bool fills) {
+      vtkNew<vtkLight> light;
+      light->SetLightTypeToSceneLight();
+      light->SetPosition(from.x, from.y, from.z);
+      light->SetFocalPoint(0.0, 0.0, 0.0);
+      light->SetIntensity(intensity);
+      if (fills)
+      {
+        vtkRelievoFillLight::Make(light);
+      }
+      scene.Renderer->AddLight(light);
+      return light;
+    };
+    auto* shadows = vtkRelievoShadowStage::SafeDownCast(scene.Frame->GetStage("shadows"));
+    shadows->EnabledOn();
+    shadows->SetMapSize(1024);
+    std::vector<vtkSmartPointer<vtkLight>> others;
+    vtkSmartPointer<vtkLight> sun = addLight({ 0.0, 2.0, 1.0 }, std::sqrt(5.0) * direct, false);
+    if (kind == Fill)
+    {
+      for (const glm::dvec3& from : { glm::dvec3(1.0, 1.0, 1.0), glm::dvec3(1.0, -1.0, -1.0),
+             glm::dvec3(-1.0, 1.0, -1.0), glm::dvec3(-1.0, -1.0, 1.0) })
+      {
+        others.push_back(addLight(from, other, true));
+      }
+    }
+    else if (kind != Ambient)
+    {
+      others.push_back(addLight({ 0.0, 0.0, 1.0 }, other, false));
+    }
+    for (vtkLight* light : others)
+    {
+      shadows->SetLightCasts(light, false);
+    }
+    if (kind == Ambient)
+    {
+      ground->GetProperty()->SetAmbient(other);
+    }
+    if (kind == Pbr)
+    {
+      ground->GetProperty()->SetInterpolationToPBR();
+      ground->GetProperty()->SetRoughness(1.0);
+    }
+    scene.Frame->GetStage("deferred")->SetEnabled(kind == Deferred);
+
+    // The pictures of all lights and of the sun, without occlusion.
+    scene.Stage->EnabledOff();
+    auto* fill = scene.Frame->GetStage("fill");
+    fill->SetParameter("occlusion", "0");
+    const auto all = relievoTest::Picture(scene.Window);
+    for (vtkLight* light : others)
+    {
+      light->SwitchOff();
+    }
+    ground->GetProperty()->SetAmbient(0.0);
+    const auto alone = relievoTest::Picture(scene.Window);
+    for (vtkLight* light : others)
+    {
+      light->SwitchOn();
+    }
+    ground->GetProperty()->SetAmbient(kind == Ambient ? other : 0.0);
+    fill->SetParameter("occlusion", "1"); // rays take its place
+    scene.Stage->EnabledOn();
+    const relievoTest::Layers layers(scene.Renderer, { "position", "geometric_normal" });
+    const auto picture = relievoTest::Picture(scene.Window);
+    double sum = 0.0;
+    double lost = 0.0; // if all light were darkened
+    int pixels = 0;
+    for (int y = 0; y < layers.Height; ++y)
+    {
+      for (int x = 0; x < layers.Width; ++x)
+      {
+        const glm::dvec3 place = layers.Vector("position", x, y);
+        const double away = std::hypot(place.x, place.y);
+        if (std::abs(layers.Vector("geometric_normal", x, y).z) > 0.99 &&
+          std::abs(place.z) < 1e-3 && away < 8.0)
+        {
+          const double share = 1.0 - 1.25 / std::pow(away * away + 1.25 * 1.25, 1.5);
+          const double whole = ToLinear(GetShown(all, x, y));
+          const double spared = kind == Deferred ? 0.0 : ToLinear(GetShown(alone, x, y));
+          const double found = ToLinear(GetShown(picture, x, y));
+          sum += std::pow(found - spared - share * (whole - spared), 2.0);
+          lost += std::pow(found - share * whole, 2.0);
+          ++pixels;
+        }
+      }
+    }
+    RELIEVO_CHECK(pixels > 2000);
+    const std::string name = "kind of light " + std::to_string(kind);
+    RELIEVO_CHECK_AT_MOST(std::sqrt(sum / pixels), 0.008, "rms of the picture, " + name);
+    RELIEVO_CHECK(kind == Deferred || std::sqrt(lost / pixels) > (kind == Pbr ? 0.007 : 0.015));
+    if (kind == Plain || kind == Fill)
+    {
+      // In the sun, where the ball is far.
+      RELIEVO_CHECK_NEAR(GetShown(all, layers.Width / 2, 2), direct + other, 0.01, name);
+      RELIEVO_CHECK_NEAR(GetShown(alone, layers.Width / 2, 2), direct, 0.01, name);
+    }
+  }
+}
 }
 
 RELIEVO_TEST_CASE(testAmbientStage)
@@ -582,6 +717,7 @@ RELIEVO_TEST_CASE(testAmbientStage)
   TestWhatHides();
   TestTooManyTriangles();
   TestPicture();
+  TestLights();
   return session.Result();
 }
 }

@@ -6,6 +6,7 @@
 // as VTK draws them; lights that follow the camera; the grid of the sky.
 #include "Check.h"
 #include "GLCheck.h"
+#include "Layers.h"
 #include "Session.h"
 #include "TestCase.h"
 #include "Window.h"
@@ -15,6 +16,7 @@
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
+#include <vtkLightCollection.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
@@ -184,11 +186,45 @@ void TestClosedForm()
   RELIEVO_CHECK_NEAR(worst, 0.0, 0.012, "a ball in the light of two fill lights and another");
   RELIEVO_CHECK(scene.Stage->GetReasonCode() == "ran");
 
+  // Lights that are marked no more are VTK's lights, until they are marked again.
+  std::vector<vtkLight*> fills;
+  scene.Renderer->GetLights()->InitTraversal();
+  while (vtkLight* light = scene.Renderer->GetLights()->GetNextItem())
+  {
+    if (scene.Stage->GetLightFills(light))
+    {
+      fills.push_back(light);
+    }
+  }
+  RELIEVO_CHECK(fills.size() == 2);
+  for (vtkLight* light : fills)
+  {
+    scene.Stage->SetLightFills(light, false);
+  }
+  const auto unmarked = scene.Picture();
+  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "idle");
+  for (vtkLight* light : fills)
+  {
+    scene.Stage->SetLightFills(light, true);
+  }
+  RELIEVO_CHECK(relievoTest::SamePicture(picture, scene.Picture(), "lights marked again"));
+  {
+    const relievoTest::ExpectMessage none("SetLightFills was given no light");
+    scene.Stage->SetLightFills(nullptr, true);
+    RELIEVO_CHECK(none.Count() == 1);
+    const relievoTest::ExpectMessage positional("SetLightFills was given a positional light");
+    vtkNew<vtkLight> lamp;
+    lamp->PositionalOn();
+    scene.Stage->SetLightFills(lamp, true);
+    RELIEVO_CHECK(positional.Count() == 1 && !scene.Stage->GetLightFills(lamp));
+  }
+
   // Off, they are VTK's lights.
   scene.Stage->EnabledOff();
   vtkSmartPointer<vtkImageData> off = scene.Picture();
   vtkRelievoPass::Detach(scene.Renderer);
   vtkSmartPointer<vtkImageData> plain = scene.Picture();
+  RELIEVO_CHECK(relievoTest::SamePicture(plain, unmarked, "lights that are not marked"));
   RELIEVO_CHECK(std::memcmp(off->GetScalarPointer(), plain->GetScalarPointer(),
                   3 * static_cast<std::size_t>(plain->GetNumberOfPoints())) == 0);
   gl.Poll("end of the closed form");

@@ -16,14 +16,16 @@ vtkStandardNewMacro(vtkRelievoAmbientCatch);
 
 namespace
 {
+const char* const Defines = "//RELIEVO::Ambient::Defines";
 const char* const Dec = "//RELIEVO::Ambient::Dec";
-const char* const Impl = BehindLight[1];
+const char* const Impl = BehindLight[3];
 
 std::string Section(const char* section)
 {
   std::string text = vtkRelievoShaderLibrary::GetSection("ambient/catch.glsl", section);
   FillWord(text, "relievo", "ambient");
   FillWord(text, "RELIEVO_", "AMBIENT_");
+  FillWord(text, "AMBIENT_SPARED", "RELIEVO_DIRECT_LIGHT");
   return text;
 }
 }
@@ -51,6 +53,7 @@ void vtkRelievoAmbientCatch::End()
 void vtkRelievoAmbientCatch::MarkShaders(const vtkRelievoShaderTexts& shaders)
 {
   MarkVaryings(shaders.Vertex, shaders.Geometry, shaders.Fragment);
+  MarkBehind(shaders.Fragment, "//VTK::System::Dec", Defines);
   MarkBehind(shaders.Fragment, "//VTK::Light::Dec", Dec);
   MarkBehindLight(shaders.Fragment, Impl);
 }
@@ -66,6 +69,7 @@ void vtkRelievoAmbientCatch::SpliceShaders(
     {
       return "it is not lit, or its shaders are not of VTK's templates";
     }
+    FillMark(fragment, Defines, GetContract());
     FillMark(fragment, Dec, Section("Dec"));
     FillMark(fragment, Impl, Section("Impl"));
     return {};

@@ -70,8 +70,8 @@ void vtkRelievoAmbientStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "ambient";
   description.Label = "Ambient Occlusion";
-  description.Help =
-    "Ambient occlusion by rays: surfaces are darker where they see less of the sky.";
+  description.Help = "Ambient occlusion by rays: surfaces are darker where they see less of the "
+                     "sky, except in the light of lights that cast shadows.";
   description.Slot = vtkRelievoStageDescription::SHADE;
   description.Order = -10; // before the lamps, whose direct light is not darkened
   description.Reads = { vtkRelievoResources::Depth, vtkRelievoResources::GeometricNormal };
@@ -125,6 +125,10 @@ void vtkRelievoAmbientStage::Declare(
   if (this->OnlyCatchers)
   {
     declaration.Reads.clear(); // required only by the layer
+  }
+  else if (this->Strength > 0.0)
+  {
+    declaration.OptionalReads = { vtkRelievoResources::DirectLight };
   }
   if (this->Strength == 0.0)
   {
@@ -250,8 +254,8 @@ std::string vtkRelievoAmbientStage::DrawShare(vtkRelievoFrameContext& context)
 std::string vtkRelievoAmbientStage::DrawColor(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  vtkShaderProgram* program =
-    in.Darken.Ready(context, "ambient/colorFS.glsl", { vtkRelievoResourceName::Of(Layer) });
+  vtkShaderProgram* program = in.Darken.Ready(context, "ambient/colorFS.glsl",
+    { vtkRelievoResourceName::Of(Layer), vtkRelievoResources::DirectLight });
   if (program)
   {
     program->SetUniformf("ambientStrength", static_cast<float>(this->Strength));

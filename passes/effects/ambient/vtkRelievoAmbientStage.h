@@ -16,9 +16,10 @@
  * surfaces hide nothing either, since rays cannot intersect them. Processes that draw together
  * (vtkRelievoFramePass::SetController) each store the triangles of all processes.
  *
- * Enabled darkens the whole light of VTK's picture: lights, ambient light and environments
- * together, since VTK's shaders add them up. Lamps (vtkRelievoLampsStage), markers, lines and fog
- * are added later and are not darkened.
+ * Enabled darkens the light of VTK's picture, except that of lights that cast shadows: ambient
+ * light, environments, fill lights and lights without shadows; all of it on surfaces whose lights
+ * are deferred, and where users have replaced parts of the fragment shader. Lamps
+ * (vtkRelievoLampsStage), markers, lines and fog are added later and are not darkened.
  */
 #ifndef vtkRelievoAmbientStage_h
 #define vtkRelievoAmbientStage_h

@@ -19,7 +19,7 @@ vtkStandardNewMacro(vtkRelievoFillSplice);
 namespace
 {
 const char* const FillDec = "//RELIEVO::Fill::Dec";
-const char* const FillImpl = "//RELIEVO::Fill::Impl";
+const char* const FillImpl = BehindLight[1];
 constexpr const char* FillFile = "fill/fill.glsl";
 
 // Leaves a light out of VTK's code: its colour is black wherever main() reads it.
@@ -71,7 +71,7 @@ void vtkRelievoFillSplice::MarkShaders(const vtkRelievoShaderTexts& shaders)
 {
   MarkVaryings(shaders.Vertex, shaders.Geometry, shaders.Fragment);
   MarkBehind(shaders.Fragment, "//VTK::Light::Dec", FillDec);
-  MarkBehind(shaders.Fragment, "//VTK::Light::Impl", FillImpl);
+  MarkBehindLight(shaders.Fragment, FillImpl);
 }
 
 //------------------------------------------------------------------------------

@@ -147,6 +147,24 @@ vtkRelievoFillStage::vtkRelievoFillStage()
 vtkRelievoFillStage::~vtkRelievoFillStage() = default;
 
 //------------------------------------------------------------------------------
+void vtkRelievoFillStage::SetLightFills(vtkLight* light, bool fills)
+{
+  if (!light || (fills && light->GetPositional()))
+  {
+    vtkErrorMacro("SetLightFills was given " << (light ? "a positional light" : "no light")
+                                             << "; give it a distant light (PositionalOff).");
+    return;
+  }
+  fills ? vtkRelievoFillLight::Make(light) : vtkRelievoFillLight::Clear(light);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFillStage::GetLightFills(vtkLight* light)
+{
+  return light && vtkRelievoFillLight::Is(light);
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoFillStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "fill";
@@ -207,8 +225,10 @@ bool vtkRelievoFillStage::Prepare(vtkRelievoFrameContext& context)
   }
   in.Coefficients = vtkRelievoFillLight::GetCoefficients(towards, colors);
 
-  // A process knows only the meshes that it draws itself.
-  if (this->Occlusion > 0.0 && !context.Controller)
+  // The stage that reads the direct light darkens the rest, fill lights included, by rays. A
+  // process knows only the meshes that it draws itself.
+  const bool rays = context.IsPlanned(vtkRelievoResources::DirectLight);
+  if (this->Occlusion > 0.0 && !rays && !context.Controller)
   {
     const bool isNew =
       in.Grid.Update(in.Meshes.Find(context.Renderer), FindGround(context.Renderer));
@@ -234,6 +254,7 @@ bool vtkRelievoFillStage::Prepare(vtkRelievoFrameContext& context)
   this->Explain("ran",
     std::to_string(structure.Lights.size()) + " lights by nine coefficients" +
       (structure.Sky ? ", with ambient occlusion"
+          : rays     ? ", with ambient occlusion by rays"
           : context.Controller && this->Occlusion > 0.0
           ? ", without ambient occlusion, since several processes draw the scene"
           : "") +

@@ -4,7 +4,7 @@
  * @class vtkRelievoFillStage
  * @brief Draws fill lights as one smooth light of all surroundings, with ambient occlusion.
  *
- * Fill lights are distant lights that are marked as such (vtkRelievoFillLight). VTK's Phong and
+ * Fill lights are distant lights that are marked as such (SetLightFills). VTK's Phong and
  * Gouraud surfaces get the light of all of them by nine coefficients (R. Ramamoorthi, P. Hanrahan,
  * An Efficient Representation for Irradiance Environment Maps, SIGGRAPH 2001), which has no edges
  * where one of the lights ends. Where the scene hides its surroundings the light is weaker, by a
@@ -18,6 +18,8 @@
 
 #include <memory> // for the internals
 
+class vtkLight;
+
 class VTKRELIEVOEFFECTS_EXPORT vtkRelievoFillStage : public vtkRelievoStage
 {
 public:
@@ -29,6 +31,15 @@ public:
   /** Share of the fill lights removed where no sky is visible, 0 to 1. Default 0.6. */
   vtkSetClampMacro(Occlusion, double, 0.0, 1.0);
   vtkGetMacro(Occlusion, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a distant light is a fill light, which has no highlights and casts no shadow while the
+   * stage is on. Default off, except for the presets' fill lights.
+   */
+  void SetLightFills(vtkLight* light, bool fills);
+  bool GetLightFills(vtkLight* light);
   ///@}
 
   vtkIdType GetBytesHeld() override;

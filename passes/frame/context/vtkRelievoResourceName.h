@@ -60,6 +60,10 @@ inline const Name Actor = Name::Of("actor");
 inline const Name Surface = Name::Of("surface");
 inline const Name Shading = Name::Of("shading");
 
+// In the G-buffer: the share of casting lights in a pixel's light. The stage that darkens the rest
+// by rays reads it.
+inline const Name DirectLight = Name::Of("direct light");
+
 // Outputs of the stage `shadows`: for stages with their own lighting, for layers, and for lamps
 // from data (vtkRelievoLampShadows).
 inline const Name ShadowMaps = Name::Of("shadow maps");

@@ -30,6 +30,16 @@ void vtkRelievoFillLight::Make(vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoFillLight::Clear(vtkLight* light)
+{
+  if (light->GetInformation())
+  {
+    light->GetInformation()->Remove(GetFillKey());
+    light->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoFillLight::Is(vtkLight* light)
 {
   return !light->GetPositional() && light->GetInformation() &&

@@ -17,8 +17,9 @@ class vtkLight;
 
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoFillLight
 {
-  // Marks a distant light as a fill light.
+  // Marks a distant light as a fill light; Clear makes it a light like others.
   static void Make(vtkLight* light);
+  static void Clear(vtkLight* light);
   static bool Is(vtkLight* light);
 
   // The nine coefficients of distant lights, for shaders/formulas/light/irradiance.glsl, which

@@ -96,7 +96,8 @@ void vtkRelievoGBufferLayout::Arrange()
     const int togetherWords = together ? GetNormalDepthWords(this->NormalDepth) : 0;
     const int others = togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) +
       (this->Places ? 2 : 0) + (this->Albedo ? 1 : 0) + (this->Surface ? 1 : 0) +
-      (this->SurfaceDetail ? 1 : 0) + (this->SurfaceSpecular ? 1 : 0) + shadowWords;
+      (this->SurfaceDetail ? 1 : 0) + (this->SurfaceSpecular ? 1 : 0) +
+      (this->DirectLight ? 1 : 0) + shadowWords;
     const int attachmentsFloat = (others + 3 * normals + 3) / 4;
     const int attachmentsPacked = (others + normals + 3) / 4;
     this->ChosenNormalFormat = attachmentsFloat == attachmentsPacked
@@ -115,6 +116,7 @@ void vtkRelievoGBufferLayout::Arrange()
   this->SurfaceWord = this->Surface ? add({ 0u }) : -1;
   this->SurfaceDetailWord = this->SurfaceDetail ? add({ 0u }) : -1;
   this->SurfaceSpecularWord = this->SurfaceSpecular ? add({ 0u }) : -1;
+  this->DirectLightWord = this->DirectLight ? add({ 0u }) : -1;
   // In the background no light is blocked.
   this->ShadowWord =
     shadowWords > 0 ? add(std::vector<std::uint32_t>(shadowWords, 0xffffffffu)) : -1;
@@ -148,6 +150,7 @@ std::string vtkRelievoGBufferLayout::GetDefines() const
   define("SURFACE", this->SurfaceWord);
   define("SURFACE_DETAIL", this->SurfaceDetailWord);
   define("SURFACE_SPECULAR", this->SurfaceSpecularWord);
+  define("DIRECT_LIGHT", this->DirectLightWord);
   define("SHADOW", this->ShadowWord);
   for (std::size_t i = 0; i < this->Shadows.size(); ++i)
   {

@@ -26,6 +26,7 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   bool SurfaceDetail = false;   // and diffuse share, width of highlights, and metal
   bool SurfaceSpecular = false; // and the colour of highlights
   bool SurfacePbr = false;      // some surfaces are PBR
+  bool DirectLight = false;     // share of casting lights in a pixel's light
   bool Ids = false;
   bool Places = false; // x and y in eye space, for actors whose own shaders move vertices
   std::map<std::string, int> Lights; // layers of a light's visibility, and the light's number
@@ -43,6 +44,7 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   int SurfaceWord = -1;
   int SurfaceDetailWord = -1;
   int SurfaceSpecularWord = -1;
+  int DirectLightWord = -1;
   int IdWord = -1;
   int PlaceWord = -1;
   int ShadowWord = -1; // two lights per word, 16 bits each

@@ -44,6 +44,7 @@ struct vtkRelievoShadowStructure
   int Numbers = 0;           // lights of the renderer
   int Parts = 0;             // of soft lights
   bool Unlit = false;        // visibility is needed even if no light is computed
+  bool Direct = false;       // whether the share of the casting lights is asked for
   // Actors whose verdicts the method finds before the picture, with their mappers, which own the
   // shaders; for comparison only.
   std::vector<std::pair<vtkActor*, vtkMapper*>> Found;
@@ -65,7 +66,8 @@ struct vtkRelievoShadowStructure
       this->Harmonics == other.Harmonics && this->Spread == other.Spread &&
       this->Tinted == other.Tinted && this->WideFilter == other.WideFilter &&
       this->Highlights == other.Highlights && this->Numbers == other.Numbers &&
-      this->Parts == other.Parts && this->Unlit == other.Unlit && this->Found == other.Found;
+      this->Parts == other.Parts && this->Unlit == other.Unlit && this->Direct == other.Direct &&
+      this->Found == other.Found;
   }
 };
 

@@ -27,6 +27,7 @@ const char* const VertexDec = "//RELIEVO::Shadow::VertexDec";
 const char* const Impl = "//RELIEVO::Shadow::Impl";
 const char* const Catch = "//RELIEVO::Shadow::Catch";
 const char* const Caught = BehindLight[0];
+const char* const Direct = BehindLight[2];
 const char* const Extensions = "//RELIEVO::Shadow::Extensions";
 const char* const UniformFlow = "//RELIEVO::Shadow::UniformFlow";
 
@@ -111,15 +112,14 @@ void LeaveHighlights(std::string& fragment)
   }
 }
 
-// Repeats VTK's light code, which is between two marks, without shadows.
-void Compare(std::string& fragment, const std::string& unshadowed)
+// Repeats VTK's light code, which is between two marks, with other lights.
+void Repeat(std::string& fragment, const char* section, const std::string& lights)
 {
   const std::size_t from = fragment.find(Catch) + std::strlen(Catch);
   const std::string light = fragment.substr(from, fragment.find(Caught) - from);
-  std::string caught = Section("CaughtImpl");
-  FillWord(caught, "RELIEVO_LIGHT_OF_VTK", unshadowed + light);
-  FillMark(fragment, Catch, Section("CatchImpl"));
-  FillMark(fragment, Caught, caught);
+  std::string again = Section(section);
+  FillWord(again, "RELIEVO_LIGHT_OF_VTK", lights + light);
+  FillMark(fragment, Caught, again);
 }
 
 std::string Numbered(
@@ -143,6 +143,7 @@ void vtkRelievoShadowSplice::Mark(std::string& vertex, std::string& geometry, st
   vtkShaderProgram::Substitute(fragment, "//VTK::Light::Impl",
     std::string(Impl) + "\n" + Catch + "\n//VTK::Light::Impl", false);
   MarkBehindLight(fragment, Caught);
+  MarkBehindLight(fragment, Direct);
   vtkShaderProgram::Substitute(fragment, "//VTK::UniformFlow::Impl",
     std::string(UniformFlow) + "\n  //VTK::UniformFlow::Impl", false);
 }
@@ -159,6 +160,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   std::string visibility;
   std::string colors;
   std::string unshadowed;
+  std::string others;
   const std::pair<vtkActor*, vtkMapper*> drawn(actor, actor->GetMapper());
   const bool found = std::count(structure.Found.begin(), structure.Found.end(), drawn) > 0;
   int slot = 0;
@@ -180,6 +182,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
       lights += Numbered("LightDec", light, slot, face);
       colors += Numbered("LightImpl", light, slot, face);
       unshadowed += Numbered("UnshadowedImpl", light, slot, face);
+      others += Numbered("NoLightImpl", light, slot, face);
     }
     ++slot;
     face += light.GetRoom();
@@ -246,8 +249,13 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     shade += Numbered("ShadeImpl", structure.Lights[slot], slot, 0);
   }
+  const bool catches = vtkRelievoShadowCatcher::Is(actor);
+  const bool separates = structure.Direct && !catches && !colors.empty() &&
+    !HasUsersFragment(actor->GetShaderProperty());
+  dec << (Has(fragment, "vec3 albedo =") ? "#define RELIEVO_SHADOW_LINEAR_LIGHT\n" : "");
   FillMark(fragment, Dec,
-    dec.str() + Section("FragmentDec") + ofMethod("MethodDec") +
+    dec.str() + (catches || separates ? Section("DirectDec") : std::string()) +
+      Section("FragmentDec") + ofMethod("MethodDec") +
       (traced ? ofMethod("TraceDec") : std::string()) + Section("MapsDec") +
       (structure.Volumes ? Section("ShadeDec") : std::string()) + lights);
   FillMark(fragment, UniformFlow, flow);
@@ -261,9 +269,15 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     LeaveHighlights(fragment);
   }
-  if (vtkRelievoShadowCatcher::Is(actor))
+  if (catches)
   {
-    Compare(fragment, unshadowed);
+    Repeat(fragment, "CaughtImpl", unshadowed);
+    FillMark(fragment, Catch, Section("CatchImpl"));
+  }
+  else if (separates)
+  {
+    Repeat(fragment, "OthersImpl", others);
+    FillMark(fragment, Direct, Section("DirectImpl"));
   }
   return std::string();
 }
