@@ -86,6 +86,10 @@ QString NameLayer(const std::string& layer, const LightNames& lights)
     return words; // an array, under its own name
   }
   words.replace('_', ' ');
+  if (layer == "range") // a range of values is another thing
+  {
+    return "Distance";
+  }
   if (const auto named = lights.find(layer); ofLight && named != lights.end())
   {
     return "Shadow of " + QString::fromStdString(named->second);
