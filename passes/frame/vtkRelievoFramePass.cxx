@@ -403,7 +403,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   context.Controller = in.Controller && in.Controller->GetNumberOfProcesses() > 1
     ? in.Controller.GetPointer()
     : nullptr;
-  context.OwnSteps = !in.Delegate && !s->GetFrameBuffer();
+  context.OwnSteps = (!in.Delegate || this->DelegateDrawsOwnSteps) && !s->GetFrameBuffer();
   context.Frame = this;
   context.Nested = renderer->GetPass() != this;
   context.ReadBack.assign(in.Requested.begin(), in.Requested.end());
@@ -548,6 +548,7 @@ void vtkRelievoFramePass::PrintSelf(ostream& os, vtkIndent indent)
      << (this->Internal->Delegate ? this->Internal->Delegate->GetClassName()
                                   : "(renderer's own steps)")
      << "\n";
+  os << indent << "DelegateDrawsOwnSteps: " << this->DelegateDrawsOwnSteps << "\n";
   os << indent << "Stages:";
   for (vtkRelievoStage* stage : this->Internal->GetStages())
   {

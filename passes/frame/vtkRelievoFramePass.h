@@ -62,6 +62,16 @@ public:
 
   ///@{
   /**
+   * Whether the delegate draws like the renderer's own steps: all props once, in the renderer's
+   * viewport, as its camera sees them. Stages may then do work once per pixel. Default off.
+   */
+  vtkSetMacro(DelegateDrawsOwnSteps, bool);
+  vtkGetMacro(DelegateDrawsOwnSteps, bool);
+  vtkBooleanMacro(DelegateDrawsOwnSteps, bool);
+  ///@}
+
+  ///@{
+  /**
    * Adds or removes stages. A stage with the name of a registered stage replaces it; the name of an
    * added stage is an error. The order of adding does not matter: the frame computes its own order.
    */
@@ -198,6 +208,7 @@ protected:
   /** Releases the stages' resources in the window. */
   void ReleaseStages(vtkWindow* window);
 
+  bool DelegateDrawsOwnSteps = false;
   bool LayersOnly = false;
   bool WaitForSamples = false;
   bool SamplesOneByOne = false;

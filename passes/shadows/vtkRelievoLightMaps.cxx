@@ -243,7 +243,7 @@ bool vtkRelievoLightMaps::UpdateStructure(
   }
   for (vtkActor* actor : this->Method->GetFound(structure.Lights.size()))
   {
-    structure.Found.emplace_back(actor, actor->GetMapper());
+    structure.Found.push_back(actor->GetMapper());
   }
   const bool changed = !(structure == this->Work.Structure);
   if (changed)

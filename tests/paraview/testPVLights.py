@@ -122,6 +122,13 @@ class Lights(judge.StageTest):
         passed = pictures["dark"] + 0.36 * numpy.array([1.0, 0.25, 0.0]) * whole  # two walls
         self.assertLess(abs(found - passed)[dark].max(), 3.0)
 
+    def test_exact_shadows(self):
+        self.view.RelievoShadowMethod = "Exact"
+        for position in ((8.0, 1.0, 3.0), (2.0, 8.0, 6.0)):
+            self.scene.look(position)
+            truth = self.scene.verdicts()
+            judge.shadows(self, judge.sun(self.scene), truth, f"exact from {position}")
+
     def test_the_sun_by_date_and_place(self):
         self.scene.sun()
         view = self.view

@@ -143,16 +143,18 @@ class Pictures(judge.StageTest):
 
     def test_interaction_draws_coarse_data_with_its_shadows(self):
         self.scene.sun()
-        still = pv.picture(self.view)
         self.view.LODThreshold = 0.0
         self.view.LODResolution = 0.2
-        self.view.UseInteractiveRenderingForScreenshots = 1
-        pictures = judge.sun(self.scene)
-        self.differ(pictures[0], still, "coarse data")
         truth = self.scene.verdicts(margin=8)
-        judge.shadows(self, pictures, truth, "interaction", least=0.01)
-        self.view.UseInteractiveRenderingForScreenshots = 0
-        self.same(pv.picture(self.view), still, "after interaction")
+        for method in ("Map", "Exact"):
+            self.view.RelievoShadowMethod = method
+            still = pv.picture(self.view)
+            self.view.UseInteractiveRenderingForScreenshots = 1
+            pictures = judge.sun(self.scene)
+            self.differ(pictures[0], still, f"coarse data, {method}")
+            judge.shadows(self, pictures, truth, f"interaction, {method}", least=0.01)
+            self.view.UseInteractiveRenderingForScreenshots = 0
+            self.same(pv.picture(self.view), still, f"after interaction, {method}")
 
     def test_legend_of_a_layer(self):
         """The legend replaces the data's scalar bar in the picture, also on bright backgrounds."""

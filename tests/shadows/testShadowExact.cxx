@@ -17,22 +17,31 @@
 #include "Window.h"
 
 #include <vtkActor.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
+#include <vtkRenderPass.h>
+#include <vtkRenderState.h>
+#include <vtkShader.h>
+#include <vtkShaderProgram.h>
+#include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
 
 #include <array>
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace testShadowExact
@@ -44,6 +53,50 @@ using relievoTest::SceneLight;
 using relievoTest::ShadowStage;
 
 constexpr double Limit = 2e-5;
+
+// Draws through an actor of its own, as ParaView's actors of surfaces do.
+class DeviceActor : public vtkActor
+{
+public:
+  static DeviceActor* New();
+  vtkTypeMacro(DeviceActor, vtkActor);
+
+  void Render(vtkRenderer* renderer, vtkMapper* mapper) override
+  {
+    this->Device->SetProperty(this->GetProperty());
+    this->Device->SetPropertyKeys(this->GetPropertyKeys());
+    this->Device->SetMapper(mapper);
+    this->Device->Render(renderer, mapper);
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    this->Device->ReleaseGraphicsResources(window);
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
+
+private:
+  vtkNew<vtkActor> Device;
+};
+vtkStandardNewMacro(DeviceActor);
+
+// Draws like the renderer's own steps.
+class StepsPass : public vtkRenderPass
+{
+public:
+  static StepsPass* New();
+  vtkTypeMacro(StepsPass, vtkRenderPass);
+
+  void Render(const vtkRenderState* state) override
+  {
+    this->UpdateCamera(state->GetRenderer());
+    this->ClearLights(state->GetRenderer());
+    this->UpdateLightGeometry(state->GetRenderer());
+    this->UpdateLights(state->GetRenderer());
+    this->UpdateGeometry(state->GetRenderer());
+  }
+};
+vtkStandardNewMacro(StepsPass);
 
 const float* Visibility(vtkImageData* image)
 {
@@ -343,6 +396,56 @@ void TestOthers()
   empty.Window->Render();
   RELIEVO_CHECK(empty.GetShadows()->GetNumberOfMaps() == 0);
 }
+
+// Notes whether the program of a mapper that draws traces rays.
+void NoteProgram(vtkObject*, unsigned long, void* traced, void* program)
+{
+  const std::string source =
+    static_cast<vtkShaderProgram*>(program)->GetFragmentShader()->GetSource();
+  static_cast<std::vector<bool>*>(traced)->push_back(
+    source.find("relievoTreeWalk(") != std::string::npos);
+}
+
+// Behind a pass that draws like the renderer's own steps no fragment traces rays, also if actors
+// draw through others and with depth offsets, as in ParaView. The picture is the one of fragments
+// that trace them.
+void TestOwnSteps()
+{
+  vtkRelievoShadowStage::AddPlainActorClass("DeviceActor");
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  vtkSmartPointer<vtkImageData> pictures[2];
+  for (const bool own : { false, true })
+  {
+    ShadowStage stage;
+    std::vector<bool> traced;
+    vtkNew<vtkCallbackCommand> note;
+    note->SetCallback(NoteProgram);
+    note->SetClientData(&traced);
+    const std::vector<vtkSmartPointer<vtkActor>> actors = { stage.AddGround(),
+      stage.AddBox({ 0.2, 0.8, -0.1 }, { 1.2, 1.6, 0.5 }),
+      stage.AddBox({ -1.4, 0.5, 0.9 }, { 0.9, 0.4, 0.7 }) };
+    for (vtkActor* actor : actors)
+    {
+      vtkNew<DeviceActor> device;
+      device->SetMapper(actor->GetMapper());
+      actor->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, note);
+      stage.Renderer->RemoveActor(actor);
+      stage.Renderer->AddActor(device);
+    }
+    stage.AddSun(-3., 4., -2.);
+    stage.GetShadows()->SetMethodToExact();
+    stage.GetFrame()->SetDelegatePass(vtkSmartPointer<StepsPass>::New());
+    stage.GetFrame()->SetDelegateDrawsOwnSteps(own);
+    stage.GetFrame()->ShadowsOn();
+    stage.Window->Render(); // builds the mappers' buffers
+    traced.clear();
+    pictures[own] = relievoTest::Picture(stage.Window);
+    RELIEVO_CHECK_THAT(traced == std::vector<bool>(actors.size(), !own),
+      own ? "own steps: fragments trace rays" : "a pass: fragments trace no rays");
+  }
+  relievoTest::SamePicture(pictures[0], pictures[1], "own steps");
+  vtkMapper::SetResolveCoincidentTopologyToOff();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -375,6 +478,7 @@ RELIEVO_TEST_CASE(testShadowExact)
   TestSlivers();
   TestCreases();
   TestOthers();
+  TestOwnSteps();
   return session.Result();
 }
 }

@@ -50,7 +50,7 @@ public:
   // The pass that draws the picture; nullptr: the renderer's own steps.
   vtkRenderPass* Delegate = nullptr;
 
-  // Whether the renderer's own steps draw the picture, without a pass.
+  // Whether the renderer's own steps draw the picture, or a pass that draws like them.
   bool OwnSteps = true;
 
   // The frame is inside another pass (ParaView's camera pass), which has cleared its framebuffer.

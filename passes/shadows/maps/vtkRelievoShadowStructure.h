@@ -7,10 +7,8 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
-class vtkActor;
 class vtkMapper;
 
 struct vtkRelievoShadowStructure
@@ -45,9 +43,8 @@ struct vtkRelievoShadowStructure
   int Parts = 0;             // of soft lights
   bool Unlit = false;        // visibility is needed even if no light is computed
   bool Direct = false;       // whether the share of the casting lights is asked for
-  // Actors whose verdicts the method finds before the picture, with their mappers, which own the
-  // shaders; for comparison only.
-  std::vector<std::pair<vtkActor*, vtkMapper*>> Found;
+  // The mappers of actors whose verdicts the method finds before the picture; for comparison only.
+  std::vector<vtkMapper*> Found;
 
   int GetFaces() const
   {

@@ -145,7 +145,7 @@ std::string vtkRelievoShadowMethodExact::Prepare(
   this->Surfaces.clear();
   if (fault.empty())
   {
-    this->Alone = work.OwnSteps && window->GetMultiSamples() <= 1;
+    this->Alone = work.OwnSteps && !work.Others.IsOn() && window->GetMultiSamples() <= 1;
     this->FindSurfaces(work);
   }
   return fault;
@@ -156,8 +156,7 @@ void vtkRelievoShadowMethodExact::FindSurfaces(const vtkRelievoShadowContext& wo
 {
   for (vtkProp* prop : work.Props.GetSeen())
   {
-    vtkActor* actor =
-      this->Alone ? work.PlainDraw.GetSurface(prop) : work.PlainDraw.GetPlainActor(prop);
+    vtkActor* actor = work.PlainDraw.GetSurface(prop);
     vtkProperty* property = actor ? actor->GetProperty() : nullptr;
     if (actor && actor->HasOpaqueGeometry() && !property->GetBackfaceCulling() &&
       !property->GetFrontfaceCulling())

@@ -161,8 +161,9 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   std::string colors;
   std::string unshadowed;
   std::string others;
-  const std::pair<vtkActor*, vtkMapper*> drawn(actor, actor->GetMapper());
-  const bool found = std::count(structure.Found.begin(), structure.Found.end(), drawn) > 0;
+  // Not by actor: ParaView's draws by another one.
+  const bool found =
+    std::count(structure.Found.begin(), structure.Found.end(), actor->GetMapper()) > 0;
   int slot = 0;
   int face = 0;
   for (const vtkRelievoShadowStructure::Light& light : structure.Lights)

@@ -109,6 +109,7 @@ vtkPVRelievoView::vtkPVRelievoView()
   : Internal(new Internals)
 {
   this->Internal->Frame->SetDelegatePass(this->Internal->Delegate);
+  this->Internal->Frame->DelegateDrawsOwnStepsOn();
   // The actor of ParaView's surfaces; its subclass adds only a coarse mapper for interaction.
   vtkRelievoShadowStage::AddPlainActorClass("vtkPVLODActor");
   this->Internal->Environment.Environment->GammaCorrectOn();
