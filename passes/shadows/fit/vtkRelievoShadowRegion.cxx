@@ -152,8 +152,26 @@ std::vector<Polygon> vtkRelievoShadowRegion::Cut(
   std::vector<Polygon> polygons;
   for (const vtkRelievoBox& box : boxes)
   {
-    AddFaces(box.GetCorners(), planes, polygons);
-    AddFaces(frustum, GetBoxPlanes(box), polygons);
+    const std::array<glm::dvec3, 8> corners = box.GetCorners();
+    int cut = 0;
+    bool outside = false;
+    for (const glm::dvec4& plane : planes)
+    {
+      const auto beyond = std::count_if(corners.begin(), corners.end(),
+        [&](const glm::dvec3& p) { return !(glm::dot(glm::dvec3(plane), p) + plane.w >= 0.0); });
+      cut += beyond > 0 ? 1 : 0;
+      outside = outside || beyond == 8;
+    }
+    if (outside)
+    {
+      continue;
+    }
+    // Of many small boxes, most are whole.
+    AddFaces(corners, cut > 0 ? planes : std::vector<glm::dvec4>(), polygons);
+    if (cut > 0)
+    {
+      AddFaces(frustum, GetBoxPlanes(box), polygons);
+    }
   }
   return polygons;
 }

@@ -55,7 +55,7 @@ struct vtkRelievoShadowContext
   bool ColoredShadows = false;
   bool WithoutVolumes = false;  // volumes dim nothing: for certificates
   bool WithoutFollowed = false; // in these maps: the method traces rays at the other casters
-  bool OwnSteps = true;         // the renderer draws the picture without a render pass of its own
+  bool OwnSteps = true;         // as in vtkRelievoFrameContext
   bool OnEverything = false;    // shadows fall also on props chosen not to receive any
 
   // Texels from a map's centre up to which the filter fits.
