@@ -265,7 +265,7 @@ def main():
     for triangles in (1_000,) if given.small else (1_000, 100_000):
         number = 1000 if triangles == 1_000 else 100
         views(write, triangles, 20 if given.small else number, given.rounds)
-    sets(write, 2 if given.small else 20, given.rounds)
+    sets(write, 2 if given.small else 10, given.rounds)
     for triangles, number in ([(1_000, 5)] if given.small
                               else [(10_000, 100), (100_000, 20), (100_000, 100)]):  # fmt: skip
         covers(write, triangles, number, given.rounds)
