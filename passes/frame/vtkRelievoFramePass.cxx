@@ -424,15 +424,14 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
       vtkErrorMacro(<< error << ".");
     }
   }
-  // What a picture uses stays while layers alone are drawn in between: the next picture needs it.
   for (vtkRelievoStage* stage : stages)
   {
-    if (!run.IsNeeded(stage) && (context.Picture || !stage->GetEnabled()))
+    if (!run.IsNeeded(stage))
     {
       stage->ReleaseGraphicsResources(window);
     }
   }
-  if (!run.NeedsColor() && context.Picture)
+  if (!run.NeedsColor())
   {
     in.Color.Release(window);
     in.Translucent.Release(window);
