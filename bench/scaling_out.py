@@ -13,8 +13,7 @@ Needs the package relievo in PYTHONPATH, numpy, and a display (tools/with-displa
   capture_many(), drawn, or by rays with a Pinhole; per view. `other cells` is the share of pixels
   with a cell that differs from the drawn one.
 - data set: a view of 640 x 480 pixels in the format coco, of 20 objects that stand apart or cover
-  each other, and of the same meshes as one object, whose full masks take one draw; or with the
-  preset studio.
+  each other, and of the same meshes as one object, whose full mask takes one draw.
 - cover: ten of so many candidates over a plane with 60 blocks.
 
 Processor seconds of all threads, the least of the rounds (3). --small measures small scenes, in
@@ -42,7 +41,6 @@ from relievo.vtk.vtkFiltersSources import (
     vtkPlaneSource,
     vtkSphereSource,
 )
-from relievo.vtk.vtkIOXML import vtkXMLPolyDataWriter
 from relievo.vtk.vtkRenderingCore import vtkActor, vtkCamera, vtkPolyDataMapper, vtkRenderer
 from scale import torus
 
@@ -198,35 +196,23 @@ def sets(write, views, rounds):
     joined.Update()
     triangles = sum(mesh.GetPolys().GetNumberOfConnectivityIds() - 2 * mesh.GetNumberOfPolys()
                     for mesh in apart)  # fmt: skip
-    with tempfile.TemporaryDirectory() as folder:
-        files = []
-        for i, mesh in enumerate(apart):
-            files.append(os.path.join(folder, f"{i:02}.vtp"))
-            writer = vtkXMLPolyDataWriter()
-            writer.SetInputData(mesh)
-            writer.SetFileName(files[-1])
-            writer.Write()
-        for method, meshes in (("20 objects apart", apart),
-                               ("20 objects that cover each other", covering),
-                               ("one object", [joined.GetOutput()]),
-                               ("20 objects apart, studio", None)):  # fmt: skip
-            if meshes is None:
-                renderer = relievo.Scene(*files, preset="studio").renderer
-            else:
-                renderer = vtkRenderer()
-                for mesh in meshes:
-                    mapper = vtkPolyDataMapper()
-                    mapper.SetInputData(mesh)
-                    actor = vtkActor()
-                    actor.SetMapper(mapper)
-                    renderer.AddActor(actor)
+    for method, meshes in (("20 objects apart", apart),
+                           ("20 objects that cover each other", covering),
+                           ("one object", [joined.GetOutput()])):  # fmt: skip
+        renderer = vtkRenderer()
+        for mesh in meshes:
+            mapper = vtkPolyDataMapper()
+            mapper.SetInputData(mesh)
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            renderer.AddActor(actor)
 
-            def make(renderer=renderer):
-                with tempfile.TemporaryDirectory() as out:
-                    relievo.write_dataset(renderer, f"orbit:{views}", out, "coco", size=(640, 480))
+        def make(renderer=renderer):
+            with tempfile.TemporaryDirectory() as out:
+                relievo.write_dataset(renderer, f"orbit:{views}", out, "coco", size=(640, 480))
 
-            make()  # compiles shaders
-            write("data set", method, triangles, views, seconds(make, rounds) / views, "", "", "")
+        make()  # compiles shaders
+        write("data set", method, triangles, views, seconds(make, rounds) / views, "", "", "")
 
 
 def covers(write, triangles, number, rounds):
