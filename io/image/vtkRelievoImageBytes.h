@@ -115,6 +115,10 @@ vtkSmartPointer<vtkImageData> DecodeTIFF(const Bytes& bytes);
 vtkSmartPointer<vtkImageData> DecodeBMP(const Bytes& bytes);
 vtkSmartPointer<vtkImageData> DecodeTGA(const Bytes& bytes);
 vtkSmartPointer<vtkImageData> DecodeHDR(const Bytes& bytes);
+
+// The first band of a raster of the world, in double, and its tags. Throws Failure.
+struct GeoTags;
+vtkSmartPointer<vtkImageData> DecodeRaster(const Bytes& bytes, GeoTags& tags);
 }
 
 #endif

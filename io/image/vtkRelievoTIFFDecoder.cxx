@@ -4,7 +4,8 @@
 // TIFF by VTK's library: the first image of a file, in strips or tiles, planes together or apart,
 // turned by its orientation tag. 1 to 8 bits become unsigned char, 16 bits unsigned short, signed
 // and longer numbers float. Grey, RGB and palettes keep their samples; other colour spaces become
-// RGB of 8 bits.
+// RGB of 8 bits. The values of a raster of the world become double.
+#include "vtkRelievoGeoTags.h"
 #include "vtkRelievoImageBytes.h"
 
 #include "vtk_tiff.h"
@@ -341,7 +342,11 @@ void ReadSamples(TIFF* tiff, const Source& source, const Layout& layout, vtkImag
         {
           ThrowSaid(source);
         }
-        if (layout.Type == VTK_FLOAT)
+        if (layout.Type == VTK_DOUBLE)
+        {
+          PutBlock<double>(layout, placer, block, plane, image);
+        }
+        else if (layout.Type == VTK_FLOAT)
         {
           PutBlock<float>(layout, placer, block, plane, image);
         }
@@ -402,5 +407,23 @@ vtkSmartPointer<vtkImageData> DecodeTIFF(const Bytes& bytes)
     ReadColors(tiff.get(), source, layout, image);
   }
   return Orient(image, layout.Orientation);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> DecodeRaster(const Bytes& bytes, GeoTags& tags)
+{
+  Source source{ bytes, 0, {} };
+  const Handle tiff = Open(source);
+  Layout layout = ReadLayout(tiff.get());
+  if (layout.Photometric != PHOTOMETRIC_MINISBLACK || layout.Bits < 8)
+  {
+    throw Failure("it is a picture, in colours or of few bits");
+  }
+  layout.Components = 1;
+  layout.Type = VTK_DOUBLE;
+  tags.Read(tiff.get());
+  auto image = MakeImage(layout.Width, layout.Height, layout.Type, layout.Components);
+  ReadSamples(tiff.get(), source, layout, image);
+  return image;
 }
 }

@@ -133,7 +133,8 @@ from ._sight.cameras import (
 )
 from ._sight.rays import rays
 from ._sight.scatter import scatter
-from ._sight.sight import cover, flow, moment, sun_exposure, view_factors, visible
+from ._sight.sight import cover, flow, moment, sun_exposure, view_factors, viewshed, visible
+from ._sight.terrain import terrain
 
 globals().update(_functions())  # lamps, fog, markers: each stage that draws points
 _browser.prepare()
@@ -188,9 +189,11 @@ __all__ = [
     "stages",
     "status",
     "sun_exposure",
+    "terrain",
     "to_image",
     "verify",
     "view_factors",
+    "viewshed",
     "visible",
     "vtkRelievoPass",
     "write_baseline",

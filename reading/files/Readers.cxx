@@ -25,10 +25,12 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoFileKind.h"
+#include "vtkRelievoGeoTIFFReader.h"
 #include "vtkRelievoModelReader.h"
 #include "vtkRelievoOBJReader.h"
 #include "vtkRelievoOFFReader.h"
 #include "vtkRelievoPLYReader.h"
+#include "vtkRelievoTerrain.h"
 #include "vtkSTLReader.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkXMLDataElement.h"
@@ -159,6 +161,16 @@ vtkSmartPointer<vtkAlgorithm> OpenXML(const std::string& path, ReadContext& cont
   return Open<vtkXMLGenericDataObjectReader>(path, context);
 }
 
+// The heights of a GeoTIFF as a mesh.
+vtkSmartPointer<vtkAlgorithm> OpenTerrain(const std::string& path, ReadContext&)
+{
+  vtkNew<vtkRelievoGeoTIFFReader> reader;
+  reader->SetFileName(path.c_str());
+  auto terrain = vtkSmartPointer<vtkRelievoTerrain>::New();
+  terrain->SetInputConnection(reader->GetOutputPort());
+  return terrain;
+}
+
 // Whether VTK opens further files for this one: by its name or by its first element.
 bool HasPieces(const std::string& path)
 {
@@ -237,6 +249,7 @@ const std::vector<Format>& GetFormats()
     { { "ply" }, Open<vtkRelievoPLYReader>, "ply" },
     { { "obj" }, Open<vtkRelievoOBJReader>, "obj" },
     { { "off" }, Open<vtkRelievoOFFReader>, "off" },
+    { { "tif", "tiff" }, OpenTerrain, "tif", true },
   };
   return formats;
 }

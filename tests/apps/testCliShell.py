@@ -18,8 +18,8 @@ HELP = subprocess.run(
 WORDS = subprocess.run(
     [RELIEVO, "--words"], stdout=subprocess.PIPE, text=True, check=True
 ).stdout
-VERBS = ("render", "compare", "dataset", "visible", "sun", "cover", "view-factors", "merge",
-         "verify", "status", "cave", "bench")  # fmt: skip
+VERBS = ("render", "compare", "dataset", "visible", "viewshed", "sun", "cover", "view-factors",
+         "merge", "verify", "status", "cave", "bench")  # fmt: skip
 DOCS = pathlib.Path(COMPLETION).parents[3] / "docs"
 
 # A substitute for the parts of bash-completion that complete files and colons.
@@ -160,6 +160,7 @@ class Pages(unittest.TestCase):
         page = (DOCS / "command-line.md").read_text(encoding="utf-8")
         for verb, text in (
             ("visible", page.split("| option of `visible` |")[1]),
+            ("viewshed", page.split("| option of `viewshed` |")[1]),
             ("sun", page.split("| option of `sun` |")[1]),
             ("cover", page.split("| option of `cover` |")[1]),
             ("view-factors", page.split("| option of `view-factors` |")[1]),

@@ -12,6 +12,7 @@ import time
 
 import numpy
 from cli import RELIEVO, CliTest, main
+from osgeo import gdal, osr
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
@@ -119,6 +120,64 @@ class Sight(CliTest):
                 self.assertIn("was begun with meshes", other.stderr)
                 shutil.rmtree(folder)
                 (self.folder / "shared.vtp").unlink()
+
+    def test_terrain(self):
+        """A level terrain with a wall of three rows in the west and a hole: rasters on its grid,
+        whole and in parts; what is refused."""
+        gdal.UseExceptions()
+        file = gdal.GetDriverByName("GTiff").Create(
+            str(self.folder / "dem.tif"), 50, 30, 1, gdal.GDT_Int16)
+        file.SetGeoTransform((689000, 10, 0, 5337000, 0, -10))
+        system = osr.SpatialReference()
+        system.ImportFromEPSG(32632)
+        file.SetProjection(system.ExportToWkt())
+        heights = numpy.zeros((30, 50))
+        heights[:, 20] = 8
+        heights[3, 30] = -32768
+        file.GetRasterBand(1).WriteArray(heights)
+        file.GetRasterBand(1).SetNoDataValue(-32768)
+        del file
+        view = ["viewshed", "dem.tif", "--observer", "689005,5336845,10"]
+        expected = numpy.ones((30, 50), int)
+        # Behind a ridge of 8 at a distance of 200, an eye at 10 sees ground from 1000.
+        expected[:, 21:] = 0
+        expected[3, 30] = -9999
+        done = self.relievo(*view, "-o", "seen.tif")
+        self.assertEqual(done.stderr, "")
+        self.assertIn("630 of 1499 points are seen by 1 observer", done.stdout)
+        seen = gdal.Open(str(self.folder / "seen.tif"))
+        numpy.testing.assert_array_equal(seen.ReadAsArray(), expected)
+        self.assertEqual(seen.GetGeoTransform(), (689000, 10, 0, 5337000, 0, -10))
+        self.assertTrue(seen.GetSpatialRef().IsSame(system))
+        self.assertEqual(seen.GetRasterBand(1).GetDescription(), "seen")
+        self.relievo(*view, "-o", "seen.vtp")
+        values = vtk_to_numpy(self.read("seen.vtp").GetPointData().GetArray("seen"))
+        numpy.testing.assert_array_equal(values, expected[expected >= 0])
+        sun = ["sun", "dem.tif", *SUN, "--step", "60"]
+        self.relievo(*sun, "-o", "sun.tif")
+        hours = gdal.Open(str(self.folder / "sun.tif"))
+        names = [hours.GetRasterBand(1 + i).GetDescription() for i in range(hours.RasterCount)]
+        self.assertEqual(names, ["sun_hours", "insolation"])
+        self.assertAlmostEqual(hours.GetRasterBand(1).ReadAsArray()[15, 45], 12, delta=0.2)
+        self.assertLess(hours.GetRasterBand(1).ReadAsArray()[15, 21], 11)
+        for work, name in ((view, "seen.tif"), (sun, "sun.tif")):
+            for part in (2, 1, 3):
+                self.relievo(*work, "-o", "shared.tif", "--part", f"{part}/3")
+            self.relievo("merge", "shared.tif.parts")
+            self.assertEqual((self.folder / "shared.tif").read_bytes(),
+                             (self.folder / name).read_bytes())  # fmt: skip
+            shutil.rmtree(self.folder / "shared.tif.parts")
+        here = ["--observer", "0,0,2", "-o", "a.tif"]
+        for words, status, text in (
+            (["ground.off", *here], 2, "the mesh is no raster; expected a GeoTIFF"),
+            (["dem.tif", *here], 1, "is not above the mesh"),
+            (["dem.tif", "--observer", "0,0", "-o", "a.tif"], 2, "X,Y,HEIGHT"),
+            (["dem.tif", "--observer", "0,0,-1", "-o", "a.tif"], 2, "a height above the ground"),
+            (["dem.tif", *here[:2], "-o", "a.png"], 2, "ends in .tif or .vtp"),
+        ):
+            with self.subTest(words):
+                self.assertIn(text, self.relievo("viewshed", *words, status=status).stderr)
+        self.assertFalse((self.folder / "a.tif").exists())
 
     def verify(self, folder):
         return self.relievo("verify", folder, status=3).stdout

@@ -63,6 +63,7 @@ WRITES = {
     "31_smoke.py": ["smoke.png"],
     "32_labels.py": ["labels.png", "labels_depth.png"],
     "33_work_in_parts.py": ["hours.png", "hours.vtp", "hours.vtp.parts"],
+    "34_viewshed.py": ["viewshed.png", "viewshed.tif", "viewshed.vtp"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
@@ -88,6 +89,7 @@ SMALLER = {
     "31_smoke.py": {"SIZE": (240, 136), "POINTS": 32},
     "32_labels.py": {"SIZE": (160, 120), "POINTS": 24},
     "33_work_in_parts.py": {"PARTS": 2, "MINUTES": 240, "SIZE": (160, 100)},
+    "34_viewshed.py": {"SIZE": (160, 100)},
 }
 
 

@@ -71,28 +71,34 @@ void Command::AddFlag(const std::string& name, const std::string& help, bool& fl
 
 //------------------------------------------------------------------------------
 vtkRelievoOption& Command::AddOutput(
-  const std::string& use, const std::string& help, std::string& file)
+  const std::string& use, const std::string& help, std::string& file, const std::string& other)
 {
   const std::string extension = reading::ExtensionOf(use);
   const std::string name = use.substr(0, use.find(' '));
   vtkRelievoOption& option =
-    this->Add(use, help, [&file, name, extension](const std::string& value) {
-      if (reading::ExtensionOf(value) != extension)
+    this->Add(use, help, [&file, name, extension, other](const std::string& value) {
+      const std::string given = reading::ExtensionOf(value);
+      if (given != extension && (other.empty() || given != other))
       {
-        words::RefuseValue(name, value, "a name that ends in " + extension);
+        words::RefuseValue(
+          name, value, "a name that ends in " + extension + (other.empty() ? "" : " or " + other));
       }
       file = value;
     });
-  option.Files = extension.substr(1);
+  option.Files = extension.substr(1) + (other.empty() ? "" : "|" + other.substr(1));
   return option;
 }
 
 //------------------------------------------------------------------------------
-void Command::AddMeshOptions(const std::string& extension)
+void Command::AddMeshOptions(const std::string& extension, const std::string& other)
 {
   this->Rows.Files = words::Join(reading::GetExtensions(), "|");
-  this->AddOutput("-o FILE" + extension, "the mesh", this->File).Missing =
-    "no file to write; give -o FILE" + extension;
+  const bool hasRaster = extension == ".tif" || other == ".tif";
+  this
+    ->AddOutput("-o FILE" + extension,
+      hasRaster ? "the mesh (.vtp), or a raster on the grid of a terrain (.tif)" : "the mesh",
+      this->File, other)
+    .Missing = "no file to write; give -o FILE" + extension;
   this->AddFolderOption();
   this->AddOutput("--rays FILE.rays",
     "keeps the trees for rays of these meshes in a file: written by the first run, shared in "

@@ -49,11 +49,14 @@ protected:
   void AddFlag(const std::string& name, const std::string& help, bool& flag);
   ///@}
 
-  /// Adds an option for an output file with the extension at the end of its use: "-o FILE.vtp".
-  vtkRelievoOption& AddOutput(const std::string& use, const std::string& help, std::string& file);
+  /// Adds an option for an output file with the extension at the end of its use, "-o FILE.vtp", or
+  /// with another one.
+  vtkRelievoOption& AddOutput(const std::string& use, const std::string& help, std::string& file,
+    const std::string& other = "");
 
-  /// Adds the options of commands that trace rays at a mesh: -o, --allow-folder and --rays.
-  void AddMeshOptions(const std::string& extension);
+  /// Adds the options of commands that trace rays at a mesh: -o with one or two extensions,
+  /// --allow-folder and --rays.
+  void AddMeshOptions(const std::string& extension, const std::string& other = "");
 
   /// Adds --allow-folder, for commands that read meshes.
   void AddFolderOption();
@@ -107,6 +110,7 @@ std::unique_ptr<Command> MakeStatus();
 std::unique_ptr<Command> MakeSun();
 std::unique_ptr<Command> MakeVerify();
 std::unique_ptr<Command> MakeViewFactors();
+std::unique_ptr<Command> MakeViewshed();
 std::unique_ptr<Command> MakeVisible();
 ///@}
 }

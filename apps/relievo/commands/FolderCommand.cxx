@@ -62,7 +62,7 @@ public:
     {
       throw words::UsageError(folder + ": has neither " + dataset::DatasetSettings + ", " +
         FrameParts::Settings + " nor " + MeshParts::Settings +
-        "; expected a folder that relievo dataset, render, sun or visible has begun");
+        "; expected a folder that relievo dataset, render, sun, viewshed or visible has begun");
     }
     if (!isDataset && !isFrames &&
       std::filesystem::path(folder).extension() != MeshParts::GetFolder(""))

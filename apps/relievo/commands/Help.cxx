@@ -30,6 +30,7 @@ Examples
   relievo render walk.fbx --times 0:2:0.04 --shadows map --png walk_%03d.png
   relievo dataset mug.obj table.stl --poses random:500 --seed 7 --random-sun --out train/000000
   relievo visible bunny.off --poses orbit:24 -o seen.vtp
+  relievo viewshed terrain.tif --observer 689300,5337200,2 -o seen.tif
   relievo sun town.obj --place 48.2,16.4 --dates 2026-06-21 --sky 256 -o sun.vtp
   relievo sun town.obj --place 48.2,16.4 --dates 2026-06-21 -o sun.vtp --part 3/8
   relievo merge sun.vtp.parts
@@ -46,8 +47,9 @@ Examples
 Commands MakeCommands()
 {
   Commands all;
-  for (const auto& make : { MakeRender, MakeCompare, MakeDataset, MakeVisible, MakeSun, MakeCover,
-         MakeViewFactors, MakeMerge, MakeVerify, MakeStatus, MakeCave, MakeStages, MakeBench })
+  for (const auto& make : { MakeRender, MakeCompare, MakeDataset, MakeVisible, MakeViewshed,
+         MakeSun, MakeCover, MakeViewFactors, MakeMerge, MakeVerify, MakeStatus, MakeCave,
+         MakeStages, MakeBench })
   {
     all.push_back(make());
   }

@@ -48,7 +48,7 @@ public:
         "EVERY stands for all of them",
         [this](const std::string& value) { this->TakeDates(value); })
       .Missing = "no dates; give --dates FIRST[:LAST[:EVERY]]";
-    this->AddMeshOptions(".vtp");
+    this->AddMeshOptions(".vtp", ".tif");
     this->AddUpOption();
     this->AddParameters(this->Sun->GetParameters(),
       { { "latitude", "" }, { "longitude", "" }, { "first_day", "" }, { "last_day", "" },
@@ -81,6 +81,10 @@ public:
     MeshParts parts(MeshParts::GetFolder(this->File));
     const int up =
       ReadMeshes(this->Names, this->AllowedFolders, this->RayFile, this->Sun, progress);
+    if (CheckRaster(this->Sun, this->File))
+    {
+      this->Sun->PointsOn();
+    }
     this->Sun->SetUpAxis(this->Up < 0 ? up : this->Up);
     if (this->IsPart && !parts.Begin(this->Rows.Name, this->DescribeSun(), this->Sun, this->Part))
     {

@@ -13,8 +13,11 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoGeoTIFFWriter.h"
+#include "vtkRelievoRaster.h"
 #include "vtkRelievoRayScene.h"
 #include "vtkRelievoSightAlgorithm.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -89,9 +92,32 @@ int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::str
 }
 
 //------------------------------------------------------------------------------
+bool CheckRaster(vtkRelievoSightAlgorithm* filter, const std::string& output)
+{
+  const bool isRaster = reading::ExtensionOf(output) == ".tif";
+  if (isRaster &&
+    !filter->GetInputDataObject(0, 0)->GetFieldData()->GetArray(relievo::raster::Size))
+  {
+    throw words::UsageError("-o " + output +
+      ": the mesh is no raster; expected a GeoTIFF as the first FILE, or -o FILE.vtp");
+  }
+  return isRaster;
+}
+
+//------------------------------------------------------------------------------
 void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& path,
   const reading::Outputs& outputs, reading::Progress& progress)
 {
+  progress.Begin("writing " + path);
+  if (reading::ExtensionOf(path) == ".tif")
+  {
+    vtkNew<vtkRelievoGeoTIFFWriter> writer;
+    writer->SetInputData(mesh);
+    writer->SetFileName(outputs.Temporary(path).c_str());
+    const bool written = writer->Write();
+    reading::Messages::Check(option + " " + path, !written, "the raster was not written");
+    return;
+  }
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(mesh);
   // VTK's mesh writer crashes on a full disk, so it writes to memory.
@@ -99,7 +125,6 @@ void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& 
   // Not appended: VTK before 9.3.1 cannot read appended data with Debian's patched expat.
   writer->SetDataModeToBinary();
   writer->SetCompressionLevel(1); // half the time, and files that are hardly larger
-  progress.Begin("writing " + path);
   progress.Observe(writer);
   const bool made = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
   reading::Messages::Check(

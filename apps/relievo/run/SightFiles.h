@@ -33,7 +33,10 @@ int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::str
 vtkSmartPointer<vtkPolyData> ReadMesh(
   const std::string& file, const std::vector<std::string>& folders, reading::Progress& progress);
 
-/// Writes the mesh to its output's path.
+/// Whether the output is a raster. Throws UsageError if the filter's mesh then has none.
+bool CheckRaster(vtkRelievoSightAlgorithm* filter, const std::string& output);
+
+/// Writes the mesh to its output's path; to .tif the arrays at the points of a terrain, on its grid.
 void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& path,
   const reading::Outputs& outputs, reading::Progress& progress);
 }

@@ -14,7 +14,7 @@ import subprocess
 from .._arguments.errors import describe
 from .program import program
 
-_WITH_PARTS = ("dataset", "render", "sun", "visible")
+_WITH_PARTS = ("dataset", "render", "sun", "viewshed", "visible")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -88,7 +88,7 @@ def parts(job, n) -> list[Part]:
                 part.result()
         town = relievo.merge(parts)
 
-    job: a call of `relievo dataset`, `render`, `sun` or `visible` without the program's name, as
+    job: a call of `relievo dataset`, `render`, `sun`, `viewshed` or `visible` without the program's name, as
         one text (as in a shell) or a list of words. Files are relative to the folder in which
         parts() is called.
     n: number of parts, from 1. If n is larger than the number of items, some parts have no work.
@@ -172,7 +172,7 @@ def status(parts) -> list[PartStatus]:
     top = pathlib.Path(_directory(parts))
     if not any((top / name).exists() for name in ("dataset.json", "frames.json", "parts.json")):
         raise ValueError(f"parts: got {str(top)!r}, expected a folder that relievo dataset, "
-                         "render, sun or visible has begun")
+                         "render, sun, viewshed or visible has begun")
     found = []
     for path in sorted((top / "progress").glob("part-*.json")):
         try:

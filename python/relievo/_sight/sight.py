@@ -31,6 +31,7 @@ from ..vtkRelievoFilters import (
     vtkRelievoRayLayers,
     vtkRelievoSunExposure,
     vtkRelievoViewFactors,
+    vtkRelievoViewshed,
     vtkRelievoVisibility,
 )
 from ..vtkRelievoRays import vtkRelievoRayScene
@@ -136,6 +137,52 @@ def visible(thing, cameras, occluders=(), size=None, cloud=False) -> vtkPolyData
     if props is not None:
         seen, points = props.split(seen), props.number(points)
     return (seen, points) if cloud else seen
+
+
+# The function's names of the filter's parameters.
+_OF_VIEWSHED = keywords_of(vtkRelievoViewshed(), {})
+_VIEWSHED_SIGNATURE = inspect.Signature(
+    keywords(dict.fromkeys(("mesh", "observers"), inspect.Parameter.empty))
+    + keywords({"occluders": (), **defaults_of(vtkRelievoViewshed(), _OF_VIEWSHED)}),
+    return_annotation=vtkPolyData,
+)  # fmt: skip
+
+
+def viewshed(*arguments, **given):
+    bound = bind("viewshed", _VIEWSHED_SIGNATURE, arguments, given)
+    bound.apply_defaults()
+    given = bound.arguments
+    filter_ = vtkRelievoViewshed()
+    for keyword, name in _OF_VIEWSHED.items():
+        set_value("viewshed", filter_, name, given[keyword], keyword)
+    observers = numpy.atleast_2d(numpy.asarray(given["observers"], float))
+    if observers.shape[1:] != (3,) or not (numpy.isfinite(observers).all()
+                                           and (observers[:, 2] >= 0).all()):
+        raise ValueError(f"observers: got {describe(given['observers'])}, expected finite "
+                         f"(x, y, height) each, with heights of at least 0")
+    for observer in observers.tolist():
+        filter_.AddViewpoint(*observer)
+    _give(filter_, given["mesh"], given["occluders"])
+    _run(filter_, "viewshed")
+    return _copy(filter_.GetOutput())
+
+
+viewshed.__signature__ = _VIEWSHED_SIGNATURE  # type: ignore[attr-defined]
+viewshed.__doc__ = f"""Returns a terrain's mesh with the number of observers that see each point.
+
+    hills = relievo.terrain(src.read(1), src.transform, src.nodata)
+    seen = hills.rasters(relievo.viewshed(hills, [(689300, 5337200, 2)]))["seen"]
+
+mesh: what terrain() returns; or a dataset or a filter that makes one, with heights along z; or Rays
+    of it and its occluders.
+observers: (x, y, height), or a list of them: coordinates of the terrain, and the height above it.
+occluders: other data that also hide it, one or a list.
+{describe_all(vtkRelievoViewshed(), _OF_VIEWSHED)}
+
+Returns vtkPolyData with the point array seen. An observer sees a place if no triangle meets the
+straight line between them, in double. Raises ValueError for wrong arguments, and for observers
+that are not above the mesh.
+"""
 
 
 class _Props:

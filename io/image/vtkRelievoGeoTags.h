@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The tags of a TIFF that place it in the world: those of GeoTIFF (OGC 19-008), and GDAL's texts.
+#ifndef vtkRelievoGeoTags_h
+#define vtkRelievoGeoTags_h
+
+#include "vtk_tiff.h"
+
+#include <string>
+#include <vector>
+
+namespace relievo::image
+{
+struct GeoTags
+{
+  std::vector<double> Scale;  // of pixels: x, y, z
+  std::vector<double> Ties;   // column, row, 0, x, y, z of each
+  std::vector<double> Matrix; // 4 x 4, row by row
+  std::vector<unsigned short> Keys;
+  std::vector<double> KeyNumbers;
+  std::string KeyText;
+  std::string NoData;
+  std::string Metadata; // XML
+
+  void Read(TIFF* tiff);
+  void Write(TIFF* tiff) const; // to a new file
+};
+}
+
+#endif

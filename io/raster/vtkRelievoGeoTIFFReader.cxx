@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoGeoTIFFReader.h"
+
+#include "vtkRelievoFileKind.h"
+#include "vtkRelievoGeoTags.h"
+#include "vtkRelievoImageBytes.h"
+#include "vtkRelievoImageFile.h"
+#include "vtkRelievoRaster.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedShortArray.h"
+
+#include <array>
+#include <cmath>
+#include <exception>
+#include <locale>
+#include <sstream>
+
+vtkStandardNewMacro(vtkRelievoGeoTIFFReader);
+
+namespace
+{
+using relievo::image::GeoTags;
+
+// Keys of the coordinate system (OGC 19-008).
+constexpr unsigned short ModelType = 1024;
+constexpr unsigned short Geographic = 2;
+constexpr unsigned short RasterType = 1025;
+constexpr unsigned short PixelIsArea = 1;
+constexpr unsigned short PixelIsPoint = 2;
+
+// The value of a key that is stored in the directory; nullptr: the file has none. The directory is
+// a head of four numbers and then four numbers for each key: itself, where its values are, their
+// count, and the value or its index.
+unsigned short* FindKey(std::vector<unsigned short>& keys, unsigned short key)
+{
+  for (std::size_t i = 4; i + 3 < keys.size(); i += 4)
+  {
+    if (keys[i] == key && keys[i + 1] == 0)
+    {
+      return &keys[i + 3];
+    }
+  }
+  return nullptr;
+}
+
+// Throws Failure.
+std::array<double, 6> MakeTransform(GeoTags& tags)
+{
+  std::array<double, 6> at{};
+  if (tags.Matrix.size() == 16)
+  {
+    const std::vector<double>& m = tags.Matrix;
+    at = { m[0], m[1], m[3], m[4], m[5], m[7] };
+  }
+  else if (tags.Scale.size() >= 2 && tags.Ties.size() >= 6)
+  {
+    const double a = tags.Scale[0];
+    const double e = -tags.Scale[1];
+    at = { a, 0.0, tags.Ties[3] - a * tags.Ties[0], 0.0, e, tags.Ties[4] - e * tags.Ties[1] };
+  }
+  else
+  {
+    throw relievo::image::Failure("it does not say where its cells are in the world");
+  }
+  unsigned short* type = FindKey(tags.Keys, RasterType);
+  if (type && *type == PixelIsPoint) // the centres are given, not the corners
+  {
+    at[2] -= 0.5 * (at[0] + at[1]);
+    at[5] -= 0.5 * (at[3] + at[4]);
+    *type = PixelIsArea;
+  }
+  for (const double number : at)
+  {
+    if (!std::isfinite(number))
+    {
+      throw relievo::image::Failure("its place in the world is not finite");
+    }
+  }
+  return at;
+}
+
+template <typename Array, typename Values>
+void AddField(vtkImageData* image, const char* name, const Values& values)
+{
+  if (values.size() > 0)
+  {
+    vtkNew<Array> array;
+    array->SetName(name);
+    for (const auto& value : values)
+    {
+      array->InsertNextValue(value);
+    }
+    image->GetFieldData()->AddArray(array);
+  }
+}
+
+// Throws Failure.
+vtkSmartPointer<vtkImageData> ReadRaster(const std::string& path)
+{
+  std::string file;
+  const std::string problem =
+    vtkRelievoFileKind::ReadWhole(path, vtkRelievoImageFile::MostBytes, file);
+  if (!problem.empty())
+  {
+    throw relievo::image::Failure(problem);
+  }
+  GeoTags tags;
+  const relievo::image::Bytes bytes(
+    reinterpret_cast<const unsigned char*>(file.data()), file.size());
+  auto image = relievo::image::DecodeRaster(bytes, tags);
+  image->GetPointData()->GetScalars()->SetName("height");
+  const unsigned short* model = FindKey(tags.Keys, ModelType);
+  if (model && *model == Geographic)
+  {
+    throw relievo::image::Failure(
+      "its coordinates are degrees; convert it to coordinates with lengths, such as "
+      "UTM, by gdalwarp -t_srs EPSG:CODE");
+  }
+  for (const char* role : { "role=\"scale\"", "role=\"offset\"" })
+  {
+    if (tags.Metadata.find(role) != std::string::npos)
+    {
+      throw relievo::image::Failure(
+        "its values have a scale or an offset; apply them by gdal_translate -unscale");
+    }
+  }
+  AddField<vtkDoubleArray>(image, relievo::raster::Transform, MakeTransform(tags));
+  if (!tags.NoData.empty())
+  {
+    std::istringstream text(tags.NoData);
+    text.imbue(std::locale::classic());
+    double value = 0.0;
+    if (text >> value) // otherwise "nan"
+    {
+      AddField<vtkDoubleArray>(image, relievo::raster::NoData, std::array<double, 1>{ value });
+    }
+  }
+  AddField<vtkUnsignedShortArray>(image, relievo::raster::Keys, tags.Keys);
+  AddField<vtkDoubleArray>(image, relievo::raster::KeyNumbers, tags.KeyNumbers);
+  if (!tags.KeyText.empty())
+  {
+    AddField<vtkStringArray>(
+      image, relievo::raster::KeyText, std::array<std::string, 1>{ tags.KeyText });
+  }
+  return image;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoGeoTIFFReader::vtkRelievoGeoTIFFReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoGeoTIFFReader::~vtkRelievoGeoTIFFReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkRelievoGeoTIFFReader::GetImage()
+{
+  if (this->ImageTime != this->GetMTime())
+  {
+    this->Image = nullptr;
+    std::string problem;
+    const char* name = this->FileName ? this->FileName : "";
+    try
+    {
+      if (*name == '\0')
+      {
+        throw relievo::image::Failure("no name of a file is set");
+      }
+      this->Image = ReadRaster(name);
+    }
+    catch (const std::exception& error)
+    {
+      problem = error.what();
+    }
+    this->SetErrorCode(this->Image ? vtkErrorCode::NoError : vtkErrorCode::FileFormatError);
+    this->ImageTime = this->GetMTime(); // changed by the error code
+    if (!this->Image)
+    {
+      vtkErrorMacro(<< name << ": expected a GeoTIFF of heights, but " << problem << ".");
+    }
+  }
+  return this->Image;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoGeoTIFFReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  if (vtkImageData* image = this->GetImage())
+  {
+    image->GetExtent(extent);
+  }
+  outputs->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoGeoTIFFReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkImageData* output = vtkImageData::GetData(outputs);
+  output->Initialize();
+  if (vtkImageData* image = this->GetImage())
+  {
+    output->ShallowCopy(image);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGeoTIFFReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
