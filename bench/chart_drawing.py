@@ -138,6 +138,7 @@ METHODS = {
     # other viewers
     "Relievo": "blue o -", "Relievo, PBR": "green D -", "Relievo, studio": "vermillion s -",
     "F3D": "grey x --",
+    "relievo viewshed": "blue o -", "gdal_viewshed": "grey x --",
     # colours of values
     "studio": "vermillion s -", "studio, before": "grey s --", "VTK's headlight": "grey x --",
     # comparisons of pictures

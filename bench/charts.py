@@ -676,6 +676,24 @@ def irradiation(rows):
                default=lambda row: row["method"] == "tolerance" and row["setting"] == "1"))
 
 
+@bench("viewshed.csv")
+def viewshed(rows):
+    """Time of viewsheds, and their differences from lines of sight, by bench/viewshed.py."""
+    cells = Axis("cells of the raster", True, (250000, 1000000, 4000000))
+    yield Chart(
+        "viewshed", "Viewsheds of one observer: processor time", "Lower is better. Whole commands.",
+        cells, Axis("processor seconds", True, (0.1, 0.3, 1, 3, 10, 30)),
+        panels(rows, "cells", "processor seconds", panel=None))
+    titles = {"differs from triangles, %": "through the triangles",
+              "differs from bilinear, %": "through the bilinear surface"}  # fmt: skip
+    each = [{**row, "surface": title, "%": row[column]}
+            for column, title in titles.items() for row in rows]  # fmt: skip
+    yield Chart(
+        "viewshed-difference", "Viewsheds: cells with another verdict than lines of sight",
+        "Lower is better. Both surfaces go through the raster's heights.", cells,
+        Axis("% of 2000 cells"), panels(each, "cells", "%", panel="surface"))  # fmt: skip
+
+
 @bench("skin-keys.csv", "skin-volume.csv", "skin.csv")
 def skin(keys, volumes, times):
     """Errors of motions by their keys, a tube's volume, and the time of points."""

@@ -321,6 +321,12 @@ TRUTH = {
         lambda row: row["method"] == "tolerance" and row["setting"] == "1", is_irradiation)
     + points("irradiation", "[scene]", "bound", "[processor milliseconds]", "[largest bound %]",
              None, lambda row: is_irradiation(row) and row["largest bound %"]),
+    "viewshed": points("viewshed", "", "[method]", "[cells]", "[processor seconds]"),
+    "viewshed-difference":
+        points("viewshed", "through the triangles", "[method]", "[cells]",
+               "[differs from triangles, %]")
+        + points("viewshed", "through the bilinear surface", "[method]", "[cells]",
+                 "[differs from bilinear, %]"),
     "skin-keys": points(
         "skin-keys", "[motion]", "[method]", "[keys per second]",
         "[largest error of the arm's end, arm's lengths]", None,
