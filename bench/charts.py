@@ -679,7 +679,7 @@ def irradiation(rows):
 @bench("viewshed.csv")
 def viewshed(rows):
     """Time of viewsheds, and their differences from lines of sight, by bench/viewshed.py."""
-    cells = Axis("cells of the raster", True, (250000, 1000000, 4000000))
+    cells = Axis("million cells of the raster", True, {250000: "0.25", 1000000: "1", 4000000: "4"})
     yield Chart(
         "viewshed", "Viewsheds of one observer: processor time", "Lower is better. Whole commands.",
         cells, Axis("processor seconds", True, (0.1, 0.3, 1, 3, 10, 30)),
