@@ -8,13 +8,14 @@
  * field data raster_transform and, optionally, raster_nodata (vtkRelievoRaster.h), as
  * vtkRelievoGeoTIFFReader makes it. The image's origin and spacing do not count.
  *
- * Output: a point at the centre of each cell of the raster, at its height along z, and two triangles
- * between each four of them, cut along the diagonal from the cell with the lower row and column to
- * that with the higher ones. Normals point up. Of four cells of which one has no data, the other
- * three make a triangle. Point array: raster_cell; field data: those of the input, and raster_size.
+ * Output: a point at the centre of each cell of the raster, at its height along z, and two
+ * triangles between each four of them, cut along the diagonal from the cell with the lower row and
+ * column to that with the higher ones. Normals point up. Of four cells of which one has no data,
+ * the other three make a triangle. Point array: raster_cell; field data: those of the input, and
+ * raster_size.
  *
- * Cells have no data if their value is not finite, is raster_nodata, or is beyond 1e30, which stands
- * for missing heights in rasters of floats.
+ * Cells have no data if their value is not finite, is raster_nodata, or is beyond 1e30, which
+ * stands for missing heights in rasters of floats.
  *
  * Errors: no transform or one that cannot be inverted; less than two rows or columns; no triangle;
  * not enough memory.

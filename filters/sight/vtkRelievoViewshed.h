@@ -9,9 +9,9 @@
  * (int, the active scalars): the number of observers that see the place TargetHeight above the
  * point.
  *
- * An observer sees a place if no triangle meets the straight line between them. Both ends are raised
- * by 1e-9 of the mesh's size, so that lines do not begin or end on the surface. There is no other
- * tolerance and no sampling: the verdict is that of the triangles.
+ * An observer sees a place if no triangle meets the straight line between them. Both ends are
+ * raised by 1e-9 of the mesh's size, so that lines do not begin or end on the surface. There is no
+ * other tolerance and no sampling: the verdict is that of the triangles.
  *
  * With Curvature, the mesh is lowered around each observer by Curvature d^2 / 2R at the horizontal
  * distance d in metres, with R = 6371 km.

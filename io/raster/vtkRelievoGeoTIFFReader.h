@@ -7,8 +7,8 @@
  * The first band becomes the scalars `height` (double) of an image of one slice, row 0 at the
  * bottom. Its place in the world is not the image's origin and spacing, but in the field data:
  * raster_transform, and, where the file has them, raster_nodata and the keys of the coordinate
- * system (vtkRelievoRaster.h). GDAL is not needed: the file is read by VTK's TIFF library, in strips
- * or tiles, uncompressed or as the library can decompress, also as BigTIFF.
+ * system (vtkRelievoRaster.h). GDAL is not needed: the file is read by VTK's TIFF library, in
+ * strips or tiles, uncompressed or as the library can decompress, also as BigTIFF.
  *
  * Errors: a file without a place in the world; geographic coordinates, whose degrees have no
  * lengths; a band with a scale or an offset; colours; more than 2^28 cells or 2 GiB; damaged files.

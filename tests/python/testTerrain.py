@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Terrains of rasters: viewsheds compared with brute force in double, closed forms and gdal_viewshed;
-GeoTIFF with GDAL."""
+"""Terrains of rasters: viewsheds compared with brute force in double, closed forms and
+gdal_viewshed; GeoTIFF with GDAL."""
 
 import math
 import pathlib
@@ -321,7 +321,8 @@ class Files(Folder):
                 band = file.GetRasterBand(i + 1)
                 self.assertEqual((band.GetDescription(), band.GetNoDataValue(), band.DataType),
                                  (name, -9999, kind))
-                numpy.testing.assert_array_equal(band.ReadAsArray(), numpy.where(there, values, -9999))
+                numpy.testing.assert_array_equal(band.ReadAsArray(),
+                                                 numpy.where(there, values, -9999))  # fmt: skip
             if of is terrain:
                 self.assertTrue(file.GetSpatialRef().IsSame(gdal.Open(path).GetSpatialRef()))
             again = relievo.terrain(out)

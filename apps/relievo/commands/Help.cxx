@@ -47,9 +47,9 @@ Examples
 Commands MakeCommands()
 {
   Commands all;
-  for (const auto& make : { MakeRender, MakeCompare, MakeDataset, MakeVisible, MakeViewshed,
-         MakeSun, MakeCover, MakeViewFactors, MakeMerge, MakeVerify, MakeStatus, MakeCave,
-         MakeStages, MakeBench })
+  for (const auto& make :
+    { MakeRender, MakeCompare, MakeDataset, MakeVisible, MakeViewshed, MakeSun, MakeCover,
+      MakeViewFactors, MakeMerge, MakeVerify, MakeStatus, MakeCave, MakeStages, MakeBench })
   {
     all.push_back(make());
   }

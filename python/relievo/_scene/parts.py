@@ -88,9 +88,9 @@ def parts(job, n) -> list[Part]:
                 part.result()
         town = relievo.merge(parts)
 
-    job: a call of `relievo dataset`, `render`, `sun`, `viewshed` or `visible` without the program's name, as
-        one text (as in a shell) or a list of words. Files are relative to the folder in which
-        parts() is called.
+    job: a call of `relievo dataset`, `render`, `sun`, `viewshed` or `visible` without the
+        program's name, as one text (as in a shell) or a list of words. Files are relative to the
+        folder in which parts() is called.
     n: number of parts, from 1. If n is larger than the number of items, some parts have no work.
 
     Parts can be pickled: concurrent.futures, joblib, dask.distributed and submitit take them as

@@ -66,7 +66,7 @@ class Terrain:
                 and array.GetName() != "raster_cell"}
 
     def write(self, path: str | os.PathLike, rasters: Mapping[str, ArrayLike]) -> None:
-        """Writes rasters, a dict of arrays (rows, columns) by their names, as the bands of a GeoTIFF
+        """Writes rasters, a dict of arrays (rows, columns) by name, as the bands of a GeoTIFF
         with the terrain's place and, if it was read from a file, its coordinate system. Cells
         without a height are written as `nodata`. Raises ValueError for wrong arguments, OSError for
         a path that cannot be written."""
