@@ -31,6 +31,7 @@
 #include "vtkRelievoGlyphPlaces.h"
 #include "vtkRelievoMatrix.h"
 #include "vtkRelievoMeshTexels.h"
+#include "vtkRelievoMeshTree.h"
 #include "vtkRelievoMovedMesh.h"
 #include "vtkRelievoPlainActor.h"
 #include "vtkRelievoPropParts.h"
@@ -234,12 +235,15 @@ bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoPlac
     return true;
   }
   const bool others = mesh->GetNumberOfVerts() > 0 || mesh->GetNumberOfLines() > 0;
-  const vtkIdType triangles = vtkRelievoMeshTexels::CountTooMany(mesh);
-  if (triangles > 0 && manner.TooMany)
+  const bool forShaders = manner.Meshes != Wanted::Geometry;
+  const vtkIdType most =
+    forShaders ? vtkRelievoMeshTexels::GetMostTriangles() : vtkRelievoMeshTree::MostTriangles;
+  const vtkIdType triangles = vtkRelievoPolygonCut::CountTriangles(mesh);
+  if (triangles > most && manner.TooMany)
   {
     *manner.TooMany = triangles;
   }
-  if ((others && manner.Meshes != Wanted::Geometry) || triangles > 0)
+  if ((others && forShaders) || triangles > most)
   {
     return false;
   }

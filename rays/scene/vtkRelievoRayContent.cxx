@@ -16,7 +16,7 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRelievoMatrix.h"
-#include "vtkRelievoMeshTexels.h"
+#include "vtkRelievoMeshTree.h"
 #include "vtkRelievoPropMeshes.h"
 #include "vtkRelievoPropParts.h"
 #include "vtkSkybox.h"
@@ -284,10 +284,11 @@ std::string vtkRelievoRayContent::AddBlock(
     source.Points =
       vtkIdTypeArray::SafeDownCast(placed.Mesh->GetPointData()->GetArray("vtkOriginalPointIds"));
   }
-  if (const vtkIdType triangles = vtkRelievoMeshTexels::CountTooMany(placed.Mesh))
+  const vtkIdType triangles = vtkRelievoPolygonCut::CountTriangles(placed.Mesh);
+  if (triangles > vtkRelievoMeshTree::MostTriangles)
   {
     return "there are " + std::to_string(triangles) + " triangles, expected at most " +
-      std::to_string(vtkRelievoMeshTexels::GetMostTriangles()) + " in a block";
+      std::to_string(vtkRelievoMeshTree::MostTriangles) + " in a block";
   }
   if (!vtkRelievoWorldCopies::IsTraceable(placed))
   {

@@ -165,8 +165,8 @@ vtkRelievoBoxTree::Task vtkRelievoBoxTree::MakeNode(
   right.Count = 0;
   if (task.Count <= this->LeafSize)
   {
-    node.Low.w = static_cast<float>(-1 - task.First);
-    node.High.w = static_cast<float>(task.Count);
+    node.Next = -1 - task.First;
+    node.Count = task.Count;
     return { task.Node, task.First, 0 };
   }
   int* const order = this->Order.data() + task.First;
@@ -191,8 +191,8 @@ vtkRelievoBoxTree::Task vtkRelievoBoxTree::MakeNode(
   });
   std::nth_element(sorted.begin(), sorted.begin() + split.Left, sorted.end());
   std::transform(sorted.begin(), sorted.end(), order, [](const auto& each) { return each.second; });
-  node.Low.w = static_cast<float>(task.Node + GetNumberOfNodes(task.Count, this->LeafSize));
-  node.High.w = 0.f;
+  node.Next = task.Node + GetNumberOfNodes(task.Count, this->LeafSize);
+  node.Count = 0;
   const Task left = { task.Node + 1, task.First, split.Left };
   right = { left.Node + GetNumberOfNodes(split.Left, this->LeafSize), task.First + split.Left,
     task.Count - split.Left };
@@ -278,11 +278,10 @@ void vtkRelievoBoxTree::FitNodes(const std::vector<Box>& boxes)
   {
     Node& node = this->Nodes[i];
     Box box = Nothing;
-    const int count = static_cast<int>(node.High.w);
-    if (count > 0)
+    if (node.Count > 0)
     {
-      const int first = -1 - static_cast<int>(node.Low.w);
-      for (int k = first; k < first + count; ++k)
+      const int first = -1 - node.Next;
+      for (int k = first; k < first + node.Count; ++k)
       {
         Add(box, boxes[this->Order[k]]);
       }
@@ -290,13 +289,12 @@ void vtkRelievoBoxTree::FitNodes(const std::vector<Box>& boxes)
     else
     {
       const Node& left = this->Nodes[i + 1];
-      const int behind = left.High.w > 0.f ? i + 2 : static_cast<int>(left.Low.w);
-      const Node& right = this->Nodes[behind];
-      Add(box, { glm::vec3(left.Low), glm::vec3(left.High) });
-      Add(box, { glm::vec3(right.Low), glm::vec3(right.High) });
+      const Node& right = this->Nodes[left.Count > 0 ? i + 2 : left.Next];
+      Add(box, { left.Low, left.High });
+      Add(box, { right.Low, right.High });
     }
-    node.Low = glm::vec4(box.Min, node.Low.w);
-    node.High = glm::vec4(box.Max, node.High.w);
+    node.Low = box.Min;
+    node.High = box.Max;
   }
 }
 
@@ -306,10 +304,9 @@ double vtkRelievoBoxTree::GetCost() const
   double sum = 0.0;
   for (const Node& node : this->Nodes)
   {
-    sum += GetArea({ glm::vec3(node.Low), glm::vec3(node.High) });
+    sum += GetArea({ node.Low, node.High });
   }
-  const double root = this->Nodes.empty()
-    ? 0.0
-    : GetArea({ glm::vec3(this->Nodes[0].Low), glm::vec3(this->Nodes[0].High) });
+  const double root =
+    this->Nodes.empty() ? 0.0 : GetArea({ this->Nodes[0].Low, this->Nodes[0].High });
   return root > 0.0 ? sum / root : 0.0;
 }

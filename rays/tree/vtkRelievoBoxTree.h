@@ -12,6 +12,8 @@
 #include "vtkRelievoFormulas.h"   // for GLM
 #include "vtkRelievoRaysModule.h" // for the export macro
 
+#include <array>
+#include <utility>
 #include <vector>
 
 class VTKRELIEVORAYS_EXPORT vtkRelievoBoxTree
@@ -23,13 +25,19 @@ public:
     glm::vec3 Max;
   };
 
-  // Two texels of shaders/shadow/exact.glsl: the box's corners; w of the least one: the node after
-  // the subtree (inner node), or -1 - the index of the leaf's first box; w of the greatest one: the
-  // leaf's number of boxes, or 0.
   struct Node
   {
-    glm::vec4 Low;
-    glm::vec4 High;
+    glm::vec3 Low;
+    int Next; // the node after the subtree (inner node), or -1 - the index of the leaf's first box
+    glm::vec3 High;
+    int Count; // the leaf's number of boxes, or 0
+
+    // Two texels of shaders/shadow/exact.glsl; floats count to 2^24.
+    std::array<glm::vec4, 2> GetTexels() const
+    {
+      return { glm::vec4(this->Low, static_cast<float>(this->Next)),
+        glm::vec4(this->High, static_cast<float>(this->Count)) };
+    }
   };
 
   void Build(const std::vector<Box>& boxes, int leafSize);
@@ -41,6 +49,7 @@ public:
 
   // The index of the box at each position in the leaves.
   const std::vector<int>& GetOrder() const { return this->Order; }
+  std::vector<int> TakeOrder() { return std::move(this->Order); }
 
   // Expected node visits of a ray through the root: the sum of all nodes' areas over the root's.
   double GetCost() const;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoMeshTexels.h"
 
-#include "vtkCellArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoPolygonCut.h"
@@ -100,17 +99,6 @@ std::vector<vtkRelievoBoxTree::Box> GetBoxes(const std::vector<glm::vec3>& corne
 vtkIdType vtkRelievoMeshTexels::MostTriangles = 1 << 24;
 
 //------------------------------------------------------------------------------
-vtkIdType vtkRelievoMeshTexels::CountTooMany(vtkPolyData* data)
-{
-  vtkIdType triangles = 0;
-  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
-  {
-    triangles += cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
-  }
-  return triangles > MostTriangles ? triangles : 0;
-}
-
-//------------------------------------------------------------------------------
 bool vtkRelievoMeshTexels::Update(vtkPolyData* data)
 {
   this->Refitted = false;
@@ -154,8 +142,10 @@ void vtkRelievoMeshTexels::Pack(const std::vector<glm::vec3>& corners)
   float* to = &this->Texels[0].x;
   for (const auto& node : nodes)
   {
-    to = std::copy(&node.Low.x, &node.Low.x + 4, to);
-    to = std::copy(&node.High.x, &node.High.x + 4, to);
+    for (const glm::vec4& texel : node.GetTexels())
+    {
+      to = std::copy(&texel.x, &texel.x + 4, to);
+    }
   }
   for (const int triangle : order)
   {

@@ -21,9 +21,6 @@ public:
   static vtkIdType GetMostTriangles() { return MostTriangles; }
   static void SetMostTriangles(vtkIdType most) { MostTriangles = most; }
 
-  // The mesh's number of triangles if it exceeds the maximum; otherwise 0.
-  static vtkIdType CountTooMany(vtkPolyData* data);
-
   // Updates changed parts. Returns whether anything has changed.
   bool Update(vtkPolyData* data);
 

@@ -23,6 +23,10 @@ class vtkRelievoRayFileWriter;
 class VTKRELIEVORAYS_EXPORT vtkRelievoMeshTree
 {
 public:
+  // Maximum number of triangles per mesh: an int holds the place of a leaf's first triangle and the
+  // number of its triangles.
+  static constexpr vtkIdType MostTriangles = VTK_INT_MAX / vtkRelievoWideTree::Most;
+
   // Updates changed parts; moved points only refit the tree. Returns whether anything has changed.
   // No ray hits a triangle with a corner that is not finite. The rule of the first call is kept.
   bool Update(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule);

@@ -33,6 +33,17 @@ public:
   // Whether a polygon with this number of points is drawn as a fan about its first point.
   static bool IsFan(vtkIdType count);
 
+  // How many triangles the polygons and strips have.
+  static vtkIdType CountTriangles(vtkPolyData* mesh)
+  {
+    vtkIdType triangles = 0;
+    for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+    {
+      triangles += cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
+    }
+    return triangles;
+  }
+
   // Calls f with the points of each triangle of polygons and then strips, with VTK's winding, and
   // its cell, counted from the first polygon.
   template <typename Function>

@@ -5,6 +5,7 @@
 #include "vtkRelievoRayFile.h"
 
 #include <limits>
+#include <optional>
 
 namespace
 {
@@ -32,16 +33,16 @@ public:
     : Nodes(tree.GetNodes())
   {
   }
-  bool IsLeaf(int node) const { return this->Nodes[node].High.w > 0.f; }
-  int GetFirst(int leaf) const { return -1 - static_cast<int>(this->Nodes[leaf].Low.w); }
-  int GetCount(int leaf) const { return static_cast<int>(this->Nodes[leaf].High.w); }
+  bool IsLeaf(int node) const { return this->Nodes[node].Count > 0; }
+  int GetFirst(int leaf) const { return -1 - this->Nodes[leaf].Next; }
+  int GetCount(int leaf) const { return this->Nodes[leaf].Count; }
   int GetRight(int node) const
   {
-    return this->IsLeaf(node + 1) ? node + 2 : static_cast<int>(this->Nodes[node + 1].Low.w);
+    return this->IsLeaf(node + 1) ? node + 2 : this->Nodes[node + 1].Next;
   }
   double GetSize(int node) const
   {
-    return GetHalfArea({ glm::vec3(this->Nodes[node].Low), glm::vec3(this->Nodes[node].High) });
+    return GetHalfArea({ this->Nodes[node].Low, this->Nodes[node].High });
   }
 
 private:
@@ -64,14 +65,16 @@ void vtkRelievoWideTree::Build(const std::vector<Box>& boxes, int leafSize)
   std::vector<Node> nodes = this->Nodes.Release();
   nodes.clear();
   this->Stack = 0;
-  vtkRelievoBoxTree tree;
-  tree.Build(boxes, leafSize);
-  this->Order = tree.GetOrder();
+  std::optional<vtkRelievoBoxTree> tree(std::in_place);
+  tree->Build(boxes, leafSize);
+  this->Order = tree->TakeOrder();
   if (boxes.empty())
   {
     return;
   }
-  const Pairs pairs(tree);
+  const Pairs pairs(*tree);
+  // Usually enough: growing would copy all nodes, and pages that stay empty take no memory.
+  nodes.reserve(tree->GetNodes().size() / 4 + 1);
   struct Task
   {
     int Pair; // the binary node to convert
@@ -129,6 +132,7 @@ void vtkRelievoWideTree::Build(const std::vector<Box>& boxes, int leafSize)
     }
     nodes.push_back(node);
   }
+  tree.reset(); // before nodes are copied
   nodes.shrink_to_fit();
   this->Nodes.Set(std::move(nodes));
   this->Fit(boxes);

@@ -30,6 +30,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRelievoMeshTexels.h>
 #include <vtkRelievoRayScene.h>
 #include <vtkRelievoWideTree.h>
 #include <vtkRenderer.h>
@@ -988,6 +989,32 @@ void TestData()
   }
 }
 
+// Shaders follow rays in meshes of a limited size; rays on processors are not limited by it.
+void TestLimitOfShaders()
+{
+  const vtkIdType most = vtkRelievoMeshTexels::GetMostTriangles();
+  vtkRelievoMeshTexels::SetMostTriangles(1);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(MakeSphere(glm::dvec3(0.), 8));
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkRelievoRayScene> ofRenderer;
+  ofRenderer->SetRenderer(renderer);
+  vtkNew<vtkRelievoRayScene> ofData;
+  ofData->AddData(MakeSphere(glm::dvec3(0.), 8));
+  Rays rays;
+  rays.Add(glm::dvec3(0., 0., -5.), glm::dvec3(0., 0., 1.));
+  for (vtkRelievoRayScene* scene : { ofRenderer.Get(), ofData.Get() })
+  {
+    vtkNew<vtkTable> hits;
+    RELIEVO_CHECK(scene->FindNearest(rays.Origins, rays.Directions, hits));
+    RELIEVO_CHECK_NEAR(GetNumber(hits, "distance", 0), 4., 1e-12, "distance");
+  }
+  vtkRelievoMeshTexels::SetMostTriangles(most);
+}
+
 void TestRefusals()
 {
   vtkNew<vtkRelievoRayScene> scene;
@@ -1072,6 +1099,7 @@ RELIEVO_TEST_CASE(testRays)
   TestMatrices();
   TestGlyphs();
   TestData();
+  TestLimitOfShaders();
   TestRefusals();
   return session.Result();
 }

@@ -372,8 +372,8 @@ std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
   std::vector<glm::vec4> front;
   for (const auto& node : tree.GetNodes())
   {
-    front.push_back(node.Low);
-    front.push_back(node.High);
+    const std::array<glm::vec4, 2> texels = node.GetTexels();
+    front.insert(front.end(), texels.begin(), texels.end());
   }
   for (const int caster : tree.GetOrder())
   {
