@@ -9,8 +9,8 @@ rows of planes. Scenes:
 
 - courtyard, canyon: the floor of a courtyard twice as wide as high, whose walls share their edges
   or are separate, and of a long canyon twice as wide as high, under a uniform sky, whose share at
-  each place has a closed form. By relievo's `tolerance`, with bounds, and by `sky`, a number of rays
-  without bounds.
+  each place has a closed form. By relievo's `tolerance`, with bounds, and by `sky`, a number of
+  rays without bounds.
 - canyon, sun: the same floor under the sun of a day of 500 W/m2. The truth has the sun of every two
   seconds, and no rays.
 - a plane, by name: a year at Vienna without clouds, by skies that are uniform or by Perez. The
