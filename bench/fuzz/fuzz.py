@@ -19,6 +19,7 @@ viewer; may be missing), RELIEVO_DATA.
 
 import argparse
 import collections
+import contextlib
 import json
 import os
 import pathlib
@@ -37,7 +38,8 @@ from damage import damage
 from PIL import Image
 from samples import all_samples
 
-SECONDS = 20  # per file, if nothing else runs
+SECONDS = 20  # of the processor, per file: its reader may take 15
+IDLE = 600  # by the clock, for a process that waits for ever
 MEMORY = (8 << 30) + (1 << 28)  # per process: the limit for small files, plus the program
 BATCH = 400  # files drawn by one process
 BY_COMMAND = 40  # one of so many files is also drawn by the command itself
@@ -46,9 +48,33 @@ PROGRESS = re.compile(r"relievo: .* \d+ %")  # of a step of more than two second
 LOOK = ["--size", "48x48", "--background", "0.3/0.5/0.7", "--png", "out.png"]
 
 
-def patience():
-    """The seconds allowed for a file, given the machine's other work."""
-    return SECONDS * max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1))
+def processor_seconds(process):
+    """Those of a process, of the processes that it started, and of theirs."""
+    ticks, started = collections.Counter(), collections.defaultdict(list)
+    for each in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(OSError):  # it has ended
+            fields = each.read_text(errors="replace").rpartition(")")[2].split()
+            number = int(each.parent.name)
+            started[int(fields[1])].append(number)
+            ticks[number] = sum(map(int, fields[11:15]))  # with those that ended
+    found = [process.pid]
+    for number in found:
+        found += started[number]
+    return sum(ticks[number] for number in found) / os.sysconf("SC_CLK_TCK")
+
+
+def complaint(process, is_done):
+    """Nothing once is_done(one second) is true, or a text if the process, which is then killed,
+    works or waits for too long. The first second does not count."""
+    if is_done(1):
+        return ""
+    before, began = processor_seconds(process), time.monotonic()
+    while not is_done(1):
+        took = processor_seconds(process) - before
+        if took > SECONDS or time.monotonic() - began > IDLE:
+            process.kill()
+            return f"did not end within {SECONDS} processor seconds and {IDLE} s: it took {took:.0f}"
+    return ""
 
 
 class Driver:
@@ -69,10 +95,10 @@ class Driver:
             self.process.stdin.flush()
         except BrokenPipeError:
             pass
-        seconds = patience()
-        if not select.select([self.process.stdout], [], [], seconds)[0]:
-            self.process.kill()
-            return f"took more than {seconds:.0f} s"
+        wrong = complaint(
+            self.process, lambda seconds: select.select([self.process.stdout], [], [], seconds)[0])
+        if wrong:
+            return wrong
         line = self.process.stdout.readline()
         if line:
             answer = json.loads(line)
@@ -121,16 +147,24 @@ def judge(answer, sample, folder):
 
 def by_program(words, program, folder, temporary):
     """The answer of the command or the viewer itself, in the same form."""
-    seconds = patience()
-    try:
-        with tempfile.TemporaryDirectory() as runtime:  # the folder that Qt would put into TMPDIR
-            folders = {"TMPDIR": str(temporary), "XDG_RUNTIME_DIR": runtime}
-            done = subprocess.run([program, *words], cwd=folder, capture_output=True,
-                                  timeout=seconds, env={**os.environ, **folders})  # fmt: skip
-    except subprocess.TimeoutExpired:
-        return f"took more than {seconds:.0f} s"
+
+    def is_done(seconds):
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            done.wait(seconds)
+        return done.returncode is not None
+
+    with tempfile.TemporaryDirectory() as runtime, tempfile.TemporaryFile() as errors:
+        # Qt would put a folder for the second one into the first.
+        folders = {"TMPDIR": str(temporary), "XDG_RUNTIME_DIR": runtime}
+        done = subprocess.Popen([program, *words], cwd=folder, stdout=subprocess.DEVNULL,
+                                stderr=errors, env={**os.environ, **folders})  # fmt: skip
+        wrong = complaint(done, is_done)
+        if wrong:
+            done.wait()
+            return wrong
+        errors.seek(0)
+        lines = errors.read().decode(errors="replace").splitlines()
     name = pathlib.Path(program).name + ": "
-    lines = done.stderr.decode(errors="replace").splitlines()
     said = [line.removeprefix(name) for line in lines if not PROGRESS.fullmatch(line)]
     if done.returncode not in (0, 1, 2):
         return f"ended with status {done.returncode}: {said}"
