@@ -235,6 +235,10 @@ def draw(chart):
 def save(figure, stem):
     """Writes STEM.png and STEM.svg."""
     figure.savefig(f"{stem}.png")
+    save_svg(figure, stem)
+
+
+def save_svg(figure, stem):
     figure.savefig(f"{stem}.svg", metadata={"Date": None})
 
 
