@@ -73,7 +73,8 @@ def complaint(process, is_done):
         took = processor_seconds(process) - before
         if took > SECONDS or time.monotonic() - began > IDLE:
             process.kill()
-            return f"did not end within {SECONDS} processor seconds and {IDLE} s: it took {took:.0f}"
+            return (f"did not end within {SECONDS} processor seconds and {IDLE} s: "
+                    f"it took {took:.0f}")  # fmt: skip
     return ""
 
 
