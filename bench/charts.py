@@ -679,11 +679,12 @@ def irradiation(rows):
 @bench("viewshed.csv")
 def viewshed(rows):
     """Time of viewsheds, and their differences from lines of sight, by bench/viewshed.py."""
-    cells = Axis("million cells of the raster", True, {250000: "0.25", 1000000: "1", 4000000: "4"})
+    rows = [{**row, "millions": str(number(row, "cells") / 1e6)} for row in rows]
+    cells = Axis("million cells of the raster", True, (0.25, 1, 4))
     yield Chart(
         "viewshed", "Viewsheds of one observer: processor time", "Lower is better. Whole commands.",
         cells, Axis("processor seconds", True, (0.1, 0.3, 1, 3, 10, 30)),
-        panels(rows, "cells", "processor seconds", panel=None))
+        panels(rows, "millions", "processor seconds", panel=None))
     titles = {"differs from triangles, %": "through the triangles",
               "differs from bilinear, %": "through the bilinear surface"}  # fmt: skip
     each = [{**row, "surface": title, "%": row[column]}
@@ -691,7 +692,7 @@ def viewshed(rows):
     yield Chart(
         "viewshed-difference", "Viewsheds: cells with another verdict than lines of sight",
         "Lower is better. Both surfaces go through the raster's heights.", cells,
-        Axis("% of 2000 cells"), panels(each, "cells", "%", panel="surface"))  # fmt: skip
+        Axis("% of 2000 cells"), panels(each, "millions", "%", panel="surface"))  # fmt: skip
 
 
 @bench("skin-keys.csv", "skin-volume.csv", "skin.csv")

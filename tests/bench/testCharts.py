@@ -103,6 +103,10 @@ def f3d(step):
                   lambda row: row["step"] == step)  # fmt: skip
 
 
+def millions(row):
+    return float(row["cells"]) / 1e6
+
+
 def scale(column):
     """The last point of each of the default's curves has a ring."""
     last = {(row["series"], row["method"]): row["size"] for row in rows("scale")}
@@ -321,11 +325,11 @@ TRUTH = {
         lambda row: row["method"] == "tolerance" and row["setting"] == "1", is_irradiation)
     + points("irradiation", "[scene]", "bound", "[processor milliseconds]", "[largest bound %]",
              None, lambda row: is_irradiation(row) and row["largest bound %"]),
-    "viewshed": points("viewshed", "", "[method]", "[cells]", "[processor seconds]"),
+    "viewshed": points("viewshed", "", "[method]", millions, "[processor seconds]"),
     "viewshed-difference":
-        points("viewshed", "through the triangles", "[method]", "[cells]",
+        points("viewshed", "through the triangles", "[method]", millions,
                "[differs from triangles, %]")
-        + points("viewshed", "through the bilinear surface", "[method]", "[cells]",
+        + points("viewshed", "through the bilinear surface", "[method]", millions,
                  "[differs from bilinear, %]"),
     "skin-keys": points(
         "skin-keys", "[motion]", "[method]", "[keys per second]",
