@@ -12,6 +12,7 @@
 #include "vtkInformationVector.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
@@ -23,6 +24,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayersStage.h"
 #include "vtkRelievoLensCamera.h"
+#include "vtkRelievoMemory.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowStage.h"
 #include "vtkRelievoStage.h"
@@ -117,6 +119,51 @@ std::string DescribeLight(vtkRenderer* renderer, vtkLight* light, vtkRelievoPass
   out << ", \"intensity\": " << light->GetIntensity()
       << ", \"cone_angle\": " << light->GetConeAngle() << "}";
   return out.str();
+}
+
+void CopyInto(vtkDataArray* to, vtkIdType first, vtkDataArray* from)
+{
+  const int components = from->GetNumberOfComponents();
+  if (to->GetDataType() == from->GetDataType() && to->GetNumberOfComponents() == components)
+  {
+    const std::size_t size = static_cast<std::size_t>(components) * from->GetDataTypeSize();
+    std::memcpy(static_cast<char*>(to->GetVoidPointer(0)) + static_cast<std::size_t>(first) * size,
+      from->GetVoidPointer(0), static_cast<std::size_t>(from->GetNumberOfTuples()) * size);
+    return;
+  }
+  for (vtkIdType i = 0; i < from->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < to->GetNumberOfComponents(); ++c)
+    {
+      to->SetComponent(first + i, c, c < components ? from->GetComponent(i, c) : vtkMath::Nan());
+    }
+  }
+}
+
+// Puts a view's layer among those of all views. Type and components of a data array depend on the
+// meshes that a view shows: the array of all views has room for each, and NaN in other components.
+void PutView(
+  vtkDataSetAttributes* all, vtkDataArray* layer, vtkIdType view, vtkIdType numberOfViews)
+{
+  vtkSmartPointer<vtkDataArray> array = all->GetArray(layer->GetName());
+  const vtkSmartPointer<vtkDataArray> before = array;
+  const bool sameType = !before || before->GetDataType() == layer->GetDataType();
+  const int components =
+    std::max(before ? before->GetNumberOfComponents() : 0, layer->GetNumberOfComponents());
+  const int type = sameType ? layer->GetDataType() : VTK_DOUBLE;
+  if (!before || before->GetDataType() != type || before->GetNumberOfComponents() != components)
+  {
+    array.TakeReference(vtkDataArray::CreateDataArray(type));
+    array->SetName(layer->GetName());
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(layer->GetNumberOfTuples() * numberOfViews);
+    if (before)
+    {
+      CopyInto(array, 0, before);
+    }
+    all->AddArray(array);
+  }
+  CopyInto(array, view * layer->GetNumberOfTuples(), layer);
 }
 
 // Pixels that a window's framebuffers may have each way.
@@ -304,27 +351,11 @@ bool vtkRelievoLayerSource::CaptureViews(vtkImageData* image)
   const bool hadCamera = this->Renderer->IsActiveCameraCreated() != 0;
   const vtkSmartPointer<vtkCamera> before = hadCamera ? this->Renderer->GetActiveCamera() : nullptr;
   auto* pass = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass());
-  std::vector<vtkDataArray*> arrays;
   const auto take = [&](std::size_t view, vtkImageData* layers) {
-    const int* size = layers->GetDimensions();
-    for (std::size_t k = 0; k < this->Layers.size(); ++k)
+    for (const std::string& name : this->Layers)
     {
-      vtkDataArray* from = layers->GetPointData()->GetArray(this->Layers[k].c_str());
-      if (arrays.size() == k)
-      {
-        const auto array = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
-        array->SetName(from->GetName());
-        array->SetNumberOfComponents(from->GetNumberOfComponents());
-        array->SetNumberOfTuples(
-          from->GetNumberOfTuples() * static_cast<vtkIdType>(this->Views.size()));
-        image->SetDimensions(size[0], size[1], static_cast<int>(this->Views.size()));
-        image->GetPointData()->AddArray(array);
-        arrays.push_back(array);
-      }
-      const std::size_t bytes =
-        static_cast<std::size_t>(from->GetNumberOfValues()) * from->GetDataTypeSize();
-      std::memcpy(static_cast<char*>(arrays[k]->GetVoidPointer(0)) + view * bytes,
-        from->GetVoidPointer(0), bytes);
+      PutView(image->GetPointData(), layers->GetPointData()->GetArray(name.c_str()),
+        static_cast<vtkIdType>(view), this->GetNumberOfViews());
     }
   };
   bool good = true;
@@ -334,6 +365,20 @@ bool vtkRelievoLayerSource::CaptureViews(vtkImageData* image)
     this->Renderer->SetActiveCamera(this->Views[i]);
     vtkNew<vtkImageData> layers;
     good = this->Capture(layers);
+    if (i == 0 && good)
+    {
+      const int* size = layers->GetDimensions();
+      image->SetDimensions(size[0], size[1], this->GetNumberOfViews());
+      const double bytes = 1024.0 * static_cast<double>(layers->GetActualMemorySize());
+      const std::string lack = relievo::LackOfMemory(bytes * this->GetNumberOfViews(), 0.0);
+      good = lack.empty();
+      if (!good)
+      {
+        vtkErrorMacro("The layers of " << this->GetNumberOfViews()
+                                       << " views are too many: " << lack
+                                       << ". Capture fewer views at a time, or a smaller window.");
+      }
+    }
     if (good)
     {
       take(i, layers);

@@ -13,6 +13,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
+#include "vtkRelievoDepthSplice.h"
 #include "vtkRelievoDrawTable.h"
 #include "vtkRelievoFormatChoice.h"
 #include "vtkRelievoFrameCamera.h"
@@ -431,20 +432,24 @@ bool vtkRelievoLayersStage::DrawViews(vtkRenderer* renderer, const std::vector<v
     std::max<std::size_t>(1, mostDraws / std::max<std::size_t>(1, scene.Props.size())));
   vtkRelievoOpaqueProps all;
   all.Collect(scene);
+  vtkNew<vtkRelievoDepthSplice> depth;
   for (std::size_t first = 0; first < cameras.size(); first += most)
   {
     const std::size_t count = std::min(most, cameras.size() - first);
     std::vector<vtkRelievoFrameCamera> views(count);
-    std::vector<vtkRelievoDrawTable> draws(count);
+    std::vector<vtkRelievoDrawTable> draws(count + 1);
+    draws[0] = in.Draws;  // of the view before
+    bool isStale = false; // pipelines that follow the camera hold the data of the last view only
     {
       const vtkRelievoScopedState kept(window->GetState());
       if (count == 0 || !target.Begin())
       {
         return false;
       }
+      depth->Begin(scene, window); // before the stage, as in a frame
       all.AddPass(this);
       in.Writing = in.AllWritten = true;
-      for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t i = 0; i < count && !isStale; ++i)
       {
         renderer->SetActiveCamera(cameras[first + i]);
         views[i].Take(renderer, nullptr);
@@ -458,12 +463,19 @@ bool vtkRelievoLayersStage::DrawViews(vtkRenderer* renderer, const std::vector<v
         in.Draws.Clear();
         target.Draw(static_cast<int>(i));
         in.Props.RenderOpaque(renderer, false);
-        draws[i] = in.Draws;
+        draws[i + 1] = in.Draws;
+        isStale = draws[i].IsStale();
       }
       all.RemovePass(this);
+      depth->End();
       in.Writing = false;
       in.Valid = false;
       target.End();
+    }
+    if (std::any_of(draws.begin(), draws.end(),
+          [](const vtkRelievoDrawTable& table) { return table.IsStale(); }))
+    {
+      return false;
     }
     const int region[4] = { 0, 0, in.View.Viewport[2], in.View.Viewport[3] };
     for (std::size_t i = 0; i < count; ++i)
@@ -472,7 +484,7 @@ bool vtkRelievoLayersStage::DrawViews(vtkRenderer* renderer, const std::vector<v
       vtkRelievoLayerReader reader(in.Layout, target, region, views[i]);
       reader.SetNormalSpaceIsWorld(this->NormalSpace == WORLD);
       reader.SetRefineDepth(in.RefinesDepth);
-      reader.SetDraws(&draws[i], &in.Links, renderer);
+      reader.SetDraws(&draws[i + 1], &in.Links, renderer);
       vtkNew<vtkImageData> image;
       for (const std::string& name : names)
       {

@@ -11,22 +11,27 @@ from unittest import mock
 
 import numpy
 import scenes
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkCamera,
+    vtkDistanceToCamera,
     vtkGlyph3DMapper,
     vtkLight,
+    vtkMapper,
     vtkPointGaussianMapper,
     vtkPolyDataMapper,
     vtkRenderer,
+    vtkRenderWindow,
     vtkTextActor,
     vtkWindowToImageFilter,
 )
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass
 
 import relievo
+from relievo.vtkRelievoPasses import vtkRelievoLayerSource
 
 SIZE = (210, 140)
 
@@ -587,6 +592,131 @@ class Errors(unittest.TestCase):
                             seen[name][i], relievo.layer(image, name), f"{name} of view {i}")
         self.assertGreater(numpy.isfinite(seen["depth"]).mean(), 0.05)
         self.assertLess(numpy.isfinite(seen["depth"]).mean(), 0.9)
+
+    def alone(self, renderer, camera, layers):
+        """The layers of a single capture, of a pipeline that knows of the change of cameras."""
+        camera.Modified()
+        renderer.SetActiveCamera(camera)
+        image = relievo.capture(renderer, layers, size=(24, 16))
+        return {name: relievo.layer(image, name) for name in layers}
+
+    def test_views_of_different_data(self):
+        """Types and components of a data array differ between the meshes that views show."""
+        renderer = vtkRenderer()
+        cameras = []
+        for x, values in ((0, numpy.float32([[3]])), (100, numpy.float64([[0.1, 7]])), (200, None)):
+            camera = vtkCamera()
+            camera.SetPosition(x, 0, 4)
+            camera.SetFocalPoint(x, 0, 0)
+            camera.SetClippingRange(1, 9)
+            cameras.append(camera)
+            if values is not None:
+                ball = vtkSphereSource()
+                ball.SetCenter(x, 0, 0)
+                ball.Update()
+                array = numpy_to_vtk(values.repeat(ball.GetOutput().GetNumberOfPoints(), 0), 1)
+                array.SetName("heat")
+                ball.GetOutput().GetPointData().AddArray(array)
+                mapper = vtkPolyDataMapper()
+                mapper.SetInputData(ball.GetOutput())
+                actor = vtkActor()
+                actor.SetMapper(mapper)
+                renderer.AddActor(actor)
+        narrow, wide, away = cameras
+        for order in ([away, wide, narrow], [narrow, wide, away], [away, narrow], [narrow, away],
+                      [wide, away]):  # fmt: skip
+            seen = relievo.capture_many(renderer, order, ["heat", "Normals"], size=(24, 16))
+            most = 2 if wide in order else 1
+            self.assertEqual(seen["heat"].dtype, numpy.float64 if most == 2 else numpy.float32)
+            heat = seen["heat"].reshape(len(order), 16, 24, most)
+            self.assertEqual(seen["Normals"].shape, (len(order), 16, 24, 3))
+            for i, camera in enumerate(order):
+                one = self.alone(renderer, camera, ["heat", "Normals"])
+                values = one["heat"].reshape(16, 24, -1)
+                there = values.shape[-1]
+                numpy.testing.assert_array_equal(heat[i, ..., :there], values)
+                self.assertTrue(numpy.isnan(heat[i, ..., there:]).all())
+                self.assertEqual(numpy.isfinite(values).any(), camera is not away)
+                numpy.testing.assert_array_equal(seen["Normals"][i],
+                                                 one["Normals"].reshape(16, 24, -1) * [1, 1, 1])
+        source = vtkRelievoLayerSource()
+        renderer.SetActiveCamera(narrow)
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(1)
+        window.SetSize(24, 16)
+        window.AddRenderer(renderer)
+        source.SetRenderer(renderer)
+        for name in ("depth", "heat", "depth"):
+            source.AddLayer(name)
+        for camera in (narrow, wide):
+            source.AddView(camera)
+        source.Update()
+        values = source.GetOutput().GetPointData()
+        self.assertEqual((values.GetNumberOfArrays(), values.GetArrayName(0)), (2, "depth"))
+        self.assertEqual(values.GetArray("depth").GetNumberOfTuples(), 2 * 24 * 16)
+
+    def test_views_of_pipelines_that_follow_the_camera(self):
+        """Data of points and of glyphs by their distance to the camera."""
+        renderer = vtkRenderer()
+        for right, glyphs in ((-0.6, False), (0.6, True)):
+            plane = vtkPlaneSource()
+            plane.SetResolution(4, 4)
+            plane.SetCenter(right, 0, 0)
+            distance = vtkDistanceToCamera()
+            distance.SetInputConnection(plane.GetOutputPort())
+            distance.SetRenderer(renderer)
+            mapper = vtkGlyph3DMapper() if glyphs else vtkPolyDataMapper()
+            mapper.SetInputConnection(distance.GetOutputPort())
+            if glyphs:
+                ball = vtkSphereSource()
+                mapper.SetSourceConnection(ball.GetOutputPort())
+                mapper.SetScaleFactor(0.3)
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            renderer.AddActor(actor)
+        cameras = []
+        for away in (3, 5, 4):
+            camera = vtkCamera()
+            camera.SetPosition(0, 0, away)
+            camera.SetClippingRange(1, 9)
+            cameras.append(camera)
+        layers = ["DistanceToCamera", "depth"]
+        seen = relievo.capture_many(renderer, cameras, layers, size=(24, 16))
+        for i, camera in enumerate(cameras):
+            for name, values in self.alone(renderer, camera, layers).items():
+                numpy.testing.assert_array_equal(seen[name][i], values, f"{name} of view {i}")
+        left, right = seen["DistanceToCamera"][..., :12], seen["DistanceToCamera"][..., 12:]
+        for half in (left, right):
+            means = numpy.nanmean(half, (1, 2))
+            self.assertEqual(list(numpy.argsort(means)), [0, 2, 1])
+
+    def test_views_of_spheres_beside_offsets(self):
+        """VTK's shaders of spheres read the depth before they write it, if surfaces are shifted."""
+        renderer = vtkRenderer()
+        dots = scenes.add(renderer, vtkSphereSource())
+        dots.GetProperty().SetRepresentationToPoints()
+        dots.GetProperty().SetPointSize(9)
+        dots.GetProperty().RenderPointsAsSpheresOn()
+        cameras = []
+        for x in (0, 1, 2):
+            camera = vtkCamera()
+            camera.SetPosition(x, 0, 3)
+            camera.SetClippingRange(1, 9)
+            cameras.append(camera)
+        before = vtkMapper.GetResolveCoincidentTopology()
+        self.addCleanup(vtkMapper.SetResolveCoincidentTopology, before)
+        vtkMapper.SetResolveCoincidentTopologyToPolygonOffset()
+        seen = relievo.capture_many(renderer, cameras, "depth", size=(24, 16))["depth"]
+        for i, camera in enumerate(cameras):
+            self.assertTrue(numpy.isfinite(seen[i]).any())
+            numpy.testing.assert_array_equal(seen[i],
+                                             self.alone(renderer, camera, ["depth"])["depth"])
+
+    def test_views_beyond_the_memory(self):
+        before = self.renderer.GetActiveCamera()
+        with self.assertRaisesRegex(RuntimeError, "300000 views .* would take"):
+            relievo.capture_many(self.renderer, [vtkCamera()] * 300000, "position", size=(500, 500))
+        self.assertIs(self.renderer.GetActiveCamera(), before)
 
     def test_unknown_layer(self):
         with self.assertRaises(ValueError) as caught:

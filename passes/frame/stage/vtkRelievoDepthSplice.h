@@ -7,13 +7,14 @@
 #ifndef vtkRelievoDepthSplice_h
 #define vtkRelievoDepthSplice_h
 
+#include "vtkRelievoFrameModule.h" // for the export macro
 #include "vtkRelievoSplicedKeys.h"
 #include "vtkRelievoSplicedPass.h"
 
 class vtkOpenGLRenderWindow;
 struct vtkRelievoFrameScene;
 
-class vtkRelievoDepthSplice : public vtkRelievoSplicedPass
+class VTKRELIEVOFRAME_EXPORT vtkRelievoDepthSplice : public vtkRelievoSplicedPass
 {
 public:
   static vtkRelievoDepthSplice* New();

@@ -174,8 +174,32 @@ std::uint32_t vtkRelievoDrawTable::Add(
   {
     draw.Points = GetMesh(mapper);
   }
+  draw.Time = GetTime(draw);
   this->Draws.push_back(draw);
   return first;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoDrawTable::GetTime(const Draw& draw)
+{
+  vtkMTimeType time = draw.Points ? draw.Points->GetMTime() : 0;
+  for (const Range& range : draw.Ranges)
+  {
+    time = std::max(time, range.Mesh->GetMTime());
+  }
+  vtkMapper* mapper = draw.Actor ? draw.Actor->GetMapper() : nullptr;
+  vtkDataObject* glyphs =
+    draw.PrimitiveSource == vtkRelievoGBufferSplice::InstanceOfGlyphs && mapper
+    ? mapper->GetInputDataObject(0, 0)
+    : nullptr;
+  return glyphs ? std::max(time, glyphs->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDrawTable::IsStale() const
+{
+  return std::any_of(this->Draws.begin(), this->Draws.end(),
+    [](const Draw& draw) { return GetTime(draw) != draw.Time; });
 }
 
 //------------------------------------------------------------------------------

@@ -64,6 +64,9 @@ public:
   // Whether the last draw's words cannot distinguish its blocks.
   bool IsLastAmbiguous() const { return !this->Draws.empty() && this->Draws.back().Ambiguous; }
 
+  // Whether data that was drawn has changed since, so that Find() would tell of other data.
+  bool IsStale() const;
+
   // Prepares Find(), from the mappers' present data.
   void Resolve(vtkRenderer* renderer, const vtkRelievoFrameCamera& view);
 
@@ -104,6 +107,7 @@ private:
     std::uint32_t First;
     std::uint32_t Count;
     glm::dmat4 ModelToWorld; // at the time of drawing: an assembly changes its parts' matrices
+    vtkMTimeType Time;       // of its data, at the time of drawing
     int ActorIndex;
     vtkActor* Prop;
     glm::dmat4 ViewToModel;
@@ -120,6 +124,7 @@ private:
   void AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper);
   // Sets the start of the count of the kind that the mapper draws now.
   static void SetOffset(Draw& draw, vtkOpenGLPolyDataMapper* mapper, int type);
+  static vtkMTimeType GetTime(const Draw& draw);
   void ResolveGlyphs();
 
   std::vector<Draw> Draws;

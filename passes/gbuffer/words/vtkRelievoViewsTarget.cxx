@@ -91,7 +91,6 @@ bool vtkRelievoViewsTarget::Begin()
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  this->Drawn = 0;
   return true;
 }
 
@@ -107,7 +106,6 @@ void vtkRelievoViewsTarget::Draw(int view)
   relievo::ClearToBackground(this->Layout);
   const GLfloat farthest = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  this->Drawn = view + 1;
 }
 
 //------------------------------------------------------------------------------

@@ -9,8 +9,6 @@
 
 #include "vtkRelievoWordSource.h"
 
-#include <string>
-
 class vtkOpenGLRenderWindow;
 struct vtkRelievoGBufferLayout;
 
@@ -45,7 +43,6 @@ private:
   int Width;
   int Height;
   int Views;
-  int Drawn = 0;
   int Selected = 0;
   unsigned int Framebuffer = 0;
   unsigned int Depth = 0;
