@@ -110,6 +110,11 @@ int vtkRelievoViewshed::RequestData(
     vtkErrorMacro("There are no observers; add at least one.");
     return 1; // status 0 would make the executive print an internal error
   }
+  if (mesh->GetNumberOfPoints() == 0)
+  {
+    vtkErrorMacro("The mesh has no points, expected a terrain.");
+    return 1;
+  }
   const bool isBent = this->Curvature > 0.0;
   if (isBent && inputs[1]->GetNumberOfInformationObjects() > 0)
   {
@@ -159,6 +164,12 @@ int vtkRelievoViewshed::RequestData(
       Bend(mesh->GetPoints(), x, y, this->Curvature, points);
       bent->Modified();
       scene->Update();
+      const std::string fault = scene->GetFault();
+      if (!fault.empty())
+      {
+        vtkErrorMacro(<< fault);
+        return 1;
+      }
     }
     double bounds[6];
     points->GetBounds(bounds);

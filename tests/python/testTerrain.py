@@ -13,6 +13,7 @@ import unittest
 import numpy
 from osgeo import gdal, osr
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 import relievo
@@ -361,6 +362,8 @@ class Files(Folder):
             ("observers: got", lambda: relievo.viewshed(terrain, (1, 2, -1))),
             ("is not above the mesh", lambda: relievo.viewshed(level, (0.2, 2, 1))),
             ("target_height: got", lambda: relievo.viewshed(level, (2, 2, 1), target_height=-1)),
+            ("has no points", lambda: relievo.viewshed(vtkPolyData(), (2, 2, 1))),
+            ("has no points", lambda: relievo.viewshed(vtkPolyData(), (2, 2, 1), curvature=1)),
             ("mesh: got 16 values", lambda: terrain.rasters(level)),
             ("rasters: got an array of shape", lambda: terrain.write("a.tif", {"a": heights[1:]})),
             ("rasters: got none", lambda: terrain.write("a.tif", {})),
