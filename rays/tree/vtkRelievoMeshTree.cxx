@@ -272,7 +272,7 @@ bool vtkRelievoMeshTree::Read(vtkRelievoRayFileReader& file)
   return this->Scale > 0.0 && std::isfinite(this->Scale) && HasPlace(this->Origin) &&
     (this->IsEmpty() || (HasPlace(this->Low) && HasPlace(this->High))) &&
     this->Points.size() == this->Places.size() &&
-    this->Cells.size() <= static_cast<std::size_t>(VTK_INT_MAX) &&
+    this->Cells.size() <= static_cast<std::size_t>(MostTriangles) &&
     this->Corners.size() == 3 * this->Cells.size() &&
     GetLargest(this->Corners) < static_cast<vtkIdType>(this->Places.size()) &&
     this->Tree.Read(file, this->Cells.size());
