@@ -210,7 +210,7 @@ RELIEVO_LIGHT_OF_VTK
   {
     float all = gl_FragData[0][i];
     float share = relievoCatcherShare(relievoReaches[i], all);
-    relievoDirectLight[i] = pow(min(1.0 - relievoCatcherShare(0.0, all) / share, 0.5), 2.2);
+    relievoDirectLight[i] = pow(clamp(1.0 - relievoCatcherShare(0.0, all) / share, 0.0, 0.5), 2.2);
     gl_FragData[0][i] = ambientColor[i] * share;
   }
 

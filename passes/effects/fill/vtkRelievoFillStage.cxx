@@ -254,7 +254,7 @@ bool vtkRelievoFillStage::Prepare(vtkRelievoFrameContext& context)
   this->Explain("ran",
     std::to_string(structure.Lights.size()) + " lights by nine coefficients" +
       (structure.Sky ? ", with ambient occlusion"
-          : rays     ? ", with ambient occlusion by rays"
+          : rays     ? "; their ambient occlusion is left to the rays of another stage"
           : context.Controller && this->Occlusion > 0.0
           ? ", without ambient occlusion, since several processes draw the scene"
           : "") +
