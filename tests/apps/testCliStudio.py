@@ -139,8 +139,8 @@ class Studio(CliTest):
         # The ground keeps its own shade while that stage serves a layer.
         pictures = []
         for words in ([], ["--stage", "ambient:radius=2"]):
-            self.relievo(
-                "render", "pole.obj", "--preset", "studio", *words, *SMALL, "--png", "a.png")  # fmt: skip
+            self.relievo("render", "pole.obj", "--preset", "studio", *words, *SMALL,
+                         "--png", "a.png")  # fmt: skip
             pictures.append(read_png(self.folder / "a.png"))
         numpy.testing.assert_array_equal(*pictures)
 
