@@ -1,20 +1,23 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Cost of the plugin in ParaView's render view: frames with the plugin, everything off, against
-frames without it; frames with shadows against frames without; and both for VTK alone, in the
-reference scenes.
+frames without it; frames with shadows of both methods, map and exact, against frames without; and
+shadows of maps for VTK alone, in the reference scenes and a ring of 1.65 million triangles.
 
-    pvbatch bench/paraview_frames.py PLUGIN DATA [--rounds N] [--scenes a,b] >paraview-frames.csv
+    pvbatch bench/paraview_frames.py PLUGIN DATA [--rounds N] [--scenes a,b]
+        [--against "a; b"] >paraview-frames.csv
 
 PLUGIN is the path of Relievo.so, DATA the folder that tools/unpack-data fills; the package relievo
-is on PYTHONPATH. The two frames of a pair are drawn in turn, a few in every round, in random order,
-so that other work on the machine affects both; frames with and without the plugin by two processes,
+is on PYTHONPATH. --against measures only the groups that begin with these frames: ParaView, sun, or
+"alone, sun". The frames of a group are drawn in turn, a few in every round, in random order, so
+that other work on the machine affects all; frames with and without the plugin by two processes,
 replaced every few rounds. A ratio is the median of the rounds' ratios, +- half the distance of its
 quartiles. On a machine with other work (the load is in the last column), ratios of processor time,
 over all threads, vary less: with software OpenGL nearly all of a frame is processor time.
 """
 
 import argparse
+import itertools
 import math
 import os
 import pathlib
@@ -24,33 +27,50 @@ import subprocess
 import sys
 import time
 
-SCENES = {"bunny": "bunny.off", "motorBike": "motorBike.obj", "buildings": "buildings.obj"}
+from scale import torus
+
+# `ring` is a mesh of so many triangles, made by scale.py.
+SCENES = {
+    "bunny": "bunny.off",
+    "motorBike": "motorBike.obj",
+    "buildings": "buildings.obj",
+    "ring": 1650000,
+}
 FRAMES = 3  # timed in each turn
 ROUNDS_OF_A_PROCESS = 3  # then new processes: one may be faster than another for its whole life
 MOTIONS = ("still", "camera moves", "light moves")
-# pairs of frames: the process that draws each (none: without the plugin; alone: VTK), sun, shadows
-PAIRS = (
+EXACT = 2  # shadows by the method exact
+# Frames against the first of each group: the process that draws each (none: without the plugin;
+# alone: VTK), sun, shadows
+GROUPS = (
     (("ParaView", "none", 0, 0), ("all off", "plugin", 0, 0)),
-    (("sun", "plugin", 1, 0), ("sun, shadows", "plugin", 1, 1)),
+    (("sun", "plugin", 1, 0), ("sun, shadows", "plugin", 1, 1),
+     ("sun, exact shadows", "plugin", 1, EXACT)),
     (("alone, sun", "alone", 1, 0), ("alone, sun, shadows", "alone", 1, 1)),
-)
+)  # fmt: skip
 
 
 def read_off(path):
     """A mesh of triangles from an OFF file, as vtkPolyData."""
     import numpy
-    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-    from vtkmodules.vtkCommonCore import vtkPoints
-    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
     text = path.read_text().split()
     points, faces = int(text[1]), int(text[2])
     numbers = numpy.array(text[4:], dtype=float)
-    places = numbers[: 3 * points].reshape(-1, 3)
-    cells = numbers[3 * points : 3 * points + 4 * faces].reshape(-1, 4)[:, 1:].astype(numpy.int64)
+    cells = numbers[3 * points : 3 * points + 4 * faces].reshape(-1, 4)[:, 1:]
+    return make(numbers[: 3 * points].reshape(-1, 3), cells)
+
+
+def make(places, cells):
+    """vtkPolyData of points and triangles."""
+    import numpy
+    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
     mesh, kept, triangles = vtkPolyData(), vtkPoints(), vtkCellArray()
     kept.SetData(numpy_to_vtk(places, deep=True))
-    ids = numpy_to_vtkIdTypeArray(numpy.ascontiguousarray(cells.reshape(-1)), deep=True)
+    ids = numpy_to_vtkIdTypeArray(cells.astype(numpy.int64).reshape(-1), deep=True)
     triangles.SetData(3, ids)
     mesh.SetPoints(kept)
     mesh.SetPolys(triangles)
@@ -77,6 +97,8 @@ def read(data, name):
     """The mesh of a reference scene."""
     from vtkmodules.vtkIOGeometry import vtkOBJReader
 
+    if isinstance(SCENES[name], int):
+        return stand(make(*torus(SCENES[name])), True)
     path = pathlib.Path(data) / SCENES[name]
     if path.suffix == ".off":
         return stand(read_off(path), False)
@@ -121,7 +143,8 @@ class InParaView:
         look(self.view.SMProxy.GetActiveCamera(), count, motion == "camera moves")
         if self.loaded:
             self.view.RelievoSunUpAxis, self.view.RelievoSunElevation = "Y", 54.2
-            self.view.RelievoSun, self.view.RelievoShadows = sun, shadows
+            self.view.RelievoSun, self.view.RelievoShadows = sun, shadows > 0
+            self.view.RelievoShadowMethod = "Exact" if shadows == EXACT else "Map"
             # Towards (3, 5, 2); north is -z.
             self.view.RelievoSunAzimuth = 123.7 + 0.2 * (count % 50) * (motion == "light moves")
 
@@ -242,24 +265,28 @@ def ratio(times, others):
 
 
 def bench(given, name):
-    kinds = {"none": "none", "plugin": given.plugin, "alone": "alone"}
-    times = {(motion, frame): [] for motion in MOTIONS for pair in PAIRS for frame in pair}
+    groups = [group for group in GROUPS if group[0][0] in given.against.split("; ")]
+    words = {"none": "none", "plugin": given.plugin, "alone": "alone"}
+    kinds = {kind: words[kind] for group in groups for _, kind, *_ in group}
+    times = {(motion, frame): [] for motion in MOTIONS for group in groups for frame in group}
     for number in range(given.rounds):
         if number % ROUNDS_OF_A_PROCESS == 0:
             workers = {kind: Worker(word, given.data, name) for kind, word in kinds.items()}
         for motion in MOTIONS:
-            for pair in PAIRS:
-                for frame in random.sample(pair, 2):
+            for group in groups:
+                for frame in random.sample(group, len(group)):
                     _, kind, sun, shadows = frame
                     times[motion, frame].append(workers[kind].draw(sun, shadows, number, motion))
         if number % ROUNDS_OF_A_PROCESS == ROUNDS_OF_A_PROCESS - 1 or number == given.rounds - 1:
             for worker in workers.values():
                 worker.end()
-    for motion in MOTIONS:
-        for pair in PAIRS:
-            cells = [name, motion, pair[1][0], pair[0][0]]
+    for motion, (against, *group) in itertools.product(MOTIONS, groups):
+        for frame in group:
+            cells = [name, motion, frame[0], against[0]]
             for clock in (0, 1):
-                first, second = ([each[clock] for each in times[motion, frame]] for frame in pair)
+                first, second = (
+                    [each[clock] for each in times[motion, way]] for way in (against, frame)
+                )
                 found = ratio(second, first)
                 cells += [f"{statistics.median(second):.1f}", f"{found[0]:.3f}", f"{found[1]:.3f}"]
             cells.append(f"{os.getloadavg()[0]:.1f}")
@@ -275,6 +302,7 @@ def main():
     parser.add_argument("data")
     parser.add_argument("--rounds", type=int, default=30)
     parser.add_argument("--scenes", default=",".join(SCENES))
+    parser.add_argument("--against", default="; ".join(group[0][0] for group in GROUPS))
     given = parser.parse_args()
     columns = ["milliseconds", "ratio", "+-"]
     print("scene", "motion", "frame", "against", *columns, end=",", sep=",")
