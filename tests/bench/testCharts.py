@@ -38,8 +38,8 @@ import charts  # noqa: E402
 UNSHOWN = {
     "blocks-labels", "blocks-labels-vtk97", "blocks-threads", "blocks-vtk97", "capture",
     "command-start", "compare-faults", "compare-frames",
-    "environment-frames", "lamp-shadows", "lights-peer", "normal-maps", "paraview-frames",
-    "planner-cases", "relief-geometry", "scaling-out", "shadow-frames", "tone",
+    "environment-frames", "lamp-shadows", "lights-peer", "many-frames", "normal-maps",
+    "paraview-frames", "planner-cases", "relief-geometry", "scaling-out", "shadow-frames", "tone",
     "tone-dither", "tone-frames", "volume-frames",
 }  # fmt: skip
 

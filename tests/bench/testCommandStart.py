@@ -98,6 +98,25 @@ class ScalingOut(unittest.TestCase):
         self.assertLess(float(rows[6]["other cells"]), 0.01)  # at edges alone
 
 
+class ManyFrames(unittest.TestCase):
+    def test_small_table(self):
+        """Each frame is against plain frames, and exact shadows also against those of maps."""
+        script = BENCH / "many_frames.py"
+        done = subprocess.run([sys.executable, script, "--small", "--rounds", "2"],
+                              stdout=subprocess.PIPE, text=True, check=True)  # fmt: skip
+        rows = list(csv.DictReader(done.stdout.splitlines()))
+        shadows = ["plain / plain", "map / plain", "exact / plain", "exact / map"]
+        self.assertEqual(
+            [f"{row['frame']} / {row['against']}" for row in rows],
+            4 * shadows + [f"{name}, {frame} / {name}, plain" for name in ("blocks", "one mesh")
+                           for frame in ("plain", "capture")]
+            + [f"{way} / VTK's lights" for way in ("VTK's lights", "attached", "lamps")],
+        )  # fmt: skip
+        self.assertTrue(all(float(row["processor milliseconds"]) > 0 for row in rows))
+        for row in (row for row in rows if row["frame"].endswith("capture")):
+            self.assertGreater(float(row["ratio"]), 1)  # a capture draws, and then reads
+
+
 class Irradiation(unittest.TestCase):
     def test_small_table(self):
         """Errors are within bounds, and bounds of scenes without gaps are near the tolerance."""
