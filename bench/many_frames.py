@@ -55,7 +55,7 @@ LAYERS = ("depth", "normal", "cell")
 
 
 def places(count):
-    """Places of so many spheres over the ground, and their distance."""
+    """Places of so many spheres over the ground."""
     side = math.ceil(math.sqrt(count))
     for i in range(count):
         yield (
