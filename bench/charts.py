@@ -733,10 +733,10 @@ def particles(times, drifts):
 
 
 def find(folder, file):
-    """The path of a table in a folder, or in one of its rooms: folders without renderer.txt, which
-    another renderer's tables have."""
+    """The path of a table in a folder, or in one of its rooms: folders in it whose tables are of
+    the same renderer."""
     rooms = (path.parent for path in sorted(folder.glob(f"*/{file}")))
-    inside = [room for room in rooms if not (room / "renderer.txt").exists()]
+    inside = [room for room in rooms if read_renderer(room) == read_renderer(folder)]
     return next((each / file for each in (folder, *inside) if (each / file).exists()),
                 folder / file)  # fmt: skip
 

@@ -6,11 +6,11 @@
 
 RELIEVO is the command; gdal_viewshed (Debian: gdal-bin) must be in PATH, and osgeo, numpy and
 relievo in this Python. The terrains are made here: ridges of 10 m cells, with an observer 2 m above
-the highest cell of the middle ninth. Processor seconds and memory of whole commands, from file to
-file, the least of the rounds (3). Differences are those of 2000 random cells from lines of sight in
-double over two surfaces through the heights: the triangles that Relievo documents, and the bilinear
-surface, sampled eight times in each cell. --small measures a small terrain, in seconds. Exit
-status: 0.
+the highest cell of the middle ninth. Costs are those of whole commands, from file to file: the
+least processor seconds of the rounds (3), and their largest memory. Differences are those of 2000
+random cells from lines of sight in double over two surfaces through the heights: the triangles that
+Relievo documents, and the bilinear surface, sampled eight times in each cell. --small measures a
+small terrain, in seconds. Exit status: 0.
 """
 
 import csv

@@ -39,7 +39,7 @@ from PIL import Image
 from samples import all_samples
 
 SECONDS = 20  # of the processor, per file: its reader may take 15
-IDLE = 600  # by the clock, for a process that waits for ever
+IDLE = 300  # by the clock, for a process that waits for ever; less than the limit of testFuzz
 MEMORY = (8 << 30) + (1 << 28)  # per process: the limit for small files, plus the program
 BATCH = 400  # files drawn by one process
 BY_COMMAND = 40  # one of so many files is also drawn by the command itself
@@ -155,7 +155,7 @@ def by_program(words, program, folder, temporary):
         return done.returncode is not None
 
     with tempfile.TemporaryDirectory() as runtime, tempfile.TemporaryFile() as errors:
-        # Qt would put a folder for the second one into the first.
+        # Without XDG_RUNTIME_DIR, Qt makes a folder in TMPDIR, which must stay empty.
         folders = {"TMPDIR": str(temporary), "XDG_RUNTIME_DIR": runtime}
         done = subprocess.Popen([program, *words], cwd=folder, stdout=subprocess.DEVNULL,
                                 stderr=errors, env={**os.environ, **folders})  # fmt: skip

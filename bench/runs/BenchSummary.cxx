@@ -23,10 +23,9 @@ namespace
 {
 constexpr char SummaryCsv[] = "summary.csv";
 constexpr char RunsCsv[] = "benches.csv";
-constexpr char RendererFile[] = "renderer.txt";
 
-// Names and paths of the tables in a folder and in its rooms: folders without renderer.txt, which
-// another renderer's tables have.
+// Names and paths of the tables in a folder and in its rooms: folders in it whose tables are of the
+// same renderer.
 std::map<std::string, std::string> TablesIn(const std::string& folder, bool rooms = true)
 {
   vtksys::Directory directory;
@@ -41,7 +40,7 @@ std::map<std::string, std::string> TablesIn(const std::string& folder, bool room
       found[name] = path;
     }
     else if (rooms && name[0] != '.' && vtksys::SystemTools::FileIsDirectory(path) &&
-      !vtksys::SystemTools::FileExists(path + "/" + RendererFile, true))
+      ReadRenderer(path) == ReadRenderer(folder))
     {
       found.merge(TablesIn(path, false));
     }

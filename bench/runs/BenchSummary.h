@@ -34,11 +34,10 @@ struct ColumnComparison
 bool HasTables(const std::string& folder);
 
 /**
- * Compares the tables (CSV) of both folders, and of folders in them without renderer.txt, row by
- * row, if they have equal columns, and equal texts
- * and keys in each row; keys are the leading columns by which all rows differ. Loads, half widths
- * of intervals and equal columns are left out. Files that cannot be compared are named in
- * `differing`.
+ * Compares the tables (CSV) of both folders, and of folders in them with the same renderer, row by
+ * row, if they have equal columns, and equal texts and keys in each row; keys are the leading
+ * columns by which all rows differ. Loads, half widths of intervals and equal columns are left out.
+ * Files that cannot be compared are named in `differing`.
  */
 std::vector<ColumnComparison> CompareTables(
   const std::string& here, const std::string& there, std::vector<std::string>& differing);

@@ -50,7 +50,7 @@ class Motion(CliTest):
         return self.relievo("render", "block.off", *PLAIN, *words, **more)
 
     def kill_part(self, wait, *words):
-        """Ends a part by a signal, so many seconds after its first frame began."""
+        """Ends a part by a signal, so many seconds after its first frame was written."""
         killed = subprocess.Popen([RELIEVO, "render", "block.off", *PLAIN, *map(str, words)],
                                   cwd=self.folder, stdout=subprocess.DEVNULL)  # fmt: skip
         while killed.poll() is None and not list(self.folder.glob("*.png")):
@@ -228,7 +228,7 @@ class Motion(CliTest):
         draw = random.Random(45)
         count = draw.randint(2, 7)  # more than frames: some parts have none
         parts = draw.sample(range(1, count + 1), count)
-        self.kill_part(draw.uniform(0, 0.01), *words, "--part", "1/1")
+        self.kill_part(draw.uniform(0, 0.01), *words, "--part", f"{parts[0]}/{count}")
         for part in parts[:-1]:
             self.draw(*words, "--part", f"{part}/{count}", whole=True)
         self.assertIn("missing", self.relievo("verify", "a.mkv.parts", status=3).stdout)

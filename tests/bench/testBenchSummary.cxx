@@ -53,12 +53,13 @@ void TestRatios(const std::string& here, const std::string& there)
   const std::string columns = "scene,size,frame ms,+-,\"wrong, %\",times a plain frame,load\n";
   Write(here + "/a.csv",
     columns + "bunny,1,2,0.1,1,1.5,1\n\"town, far\",2,3,0.1,2,1.5,9\nnone,3,,,0,,\n");
-  // Tables may be in rooms; folders of another renderer are none.
+  // Tables may be in rooms, which may name the renderer; folders of another renderer are none.
   RELIEVO_CHECK(MakeFolder(there + "/room") && MakeFolder(there + "/gpu"));
   Write(there + "/gpu/a.csv", columns + "bunny,1,99,0.7,2,3,2\n");
   Write(there + "/gpu/c.csv", "scene,ms\nbunny,99\n");
   Write(there + "/gpu/d.csv", "scene,ms\nbunny,99\n");
   Write(there + "/gpu/renderer.txt", "A GPU\n");
+  Write(there + "/room/renderer.txt", "software OpenGL\n");
   Write(there + "/room/a.csv",
     columns + "bunny,1,8,0.7,2,3,2\n\"town, far\",2,48,0.2,2,1.5,3\nnone,3,,,0,,\n");
   // Other rows, other columns, and one that is only here.

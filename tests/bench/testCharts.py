@@ -449,6 +449,7 @@ class Committed(unittest.TestCase):
         tables = {file[:-4] for files, _ in charts.BENCHES.values() for file in files}
         self.assertEqual(tables | UNSHOWN, {name[:-4] for name in committed("*.csv")})
         self.assertFalse(tables & UNSHOWN)
+        self.assertEqual([path.name for path in TABLES.glob("*.*")], ["README.md"])
         for kind in ("png", "svg"):
             self.assertEqual(set(self.figures), {name[:-4] for name in committed(f"*.{kind}")})
 
@@ -630,8 +631,9 @@ class Script(unittest.TestCase):
         (self.folder / "depth.csv").rename(self.folder / "room" / "depth.csv")
         (self.folder / "gpu" / "depth.csv").write_text("of another renderer")
         (self.folder / "gpu" / "renderer.txt").write_text("A GPU")
+        (self.folder / "room" / "renderer.txt").write_text("software OpenGL\n")
         run(self.folder)
-        self.assertEqual(len(list((self.folder / "room").iterdir())), 5)
+        self.assertEqual(len(list((self.folder / "room").iterdir())), 6)
         self.assertEqual(len(list((self.folder / "gpu").iterdir())), 2)
 
     def test_a_bench_without_charts(self):

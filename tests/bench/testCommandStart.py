@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Benches of whole commands: bench/command_start.py with commands that only write a file, its
-output and refusals; bench/scale.py with the command itself, in small; the counts of both; and
-bench/compare.py, which draws in Python."""
+output and refusals; bench/scale.py with the command itself, in small; the counts of both;
+bench/compare.py, which draws in Python; and small tables of other benches. CMakeLists.txt has the
+classes of each test."""
 
 import csv
 import importlib.util
@@ -10,6 +11,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -62,6 +64,16 @@ class Start(unittest.TestCase):
         done = self.run_with("one", "other")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("the builds draw --preset none differently", done.stderr)
+
+
+class Lists(unittest.TestCase):
+    def test_every_class_is_in_a_list(self):
+        lists = pathlib.Path(__file__).with_name("CMakeLists.txt").read_text(encoding="utf-8")
+        words = re.findall(r"testCommandStart\.py[^)]*?ARGS ([\w.\s]+?)\s+ENVIRONMENT", lists)
+        self.assertEqual(len(words), 2)
+        classes = {name for name, each in globals().items()
+                   if isinstance(each, type) and issubclass(each, unittest.TestCase)}  # fmt: skip
+        self.assertEqual(classes - set(" ".join(words).split()), set())
 
 
 class Cost(unittest.TestCase):
@@ -117,6 +129,7 @@ class ManyFrames(unittest.TestCase):
             self.assertGreater(float(row["ratio"]), 1)  # a capture draws, and then reads
 
 
+@unittest.skipUnless(importlib.util.find_spec("relievo"), "no package relievo")
 class Irradiation(unittest.TestCase):
     def test_small_table(self):
         """Errors are within bounds, and bounds of scenes without gaps are near the tolerance."""
@@ -138,6 +151,28 @@ class Irradiation(unittest.TestCase):
                 self.assertLess(float(row["rms error %"]), 60 / float(row["setting"]) ** 0.5)
             elif row["places"] == "1":  # where pvlib is
                 self.assertLess(float(row["largest error %"]), 0.5)
+
+
+@unittest.skipUnless(importlib.util.find_spec("relievo"), "no package relievo")
+@unittest.skipUnless(importlib.util.find_spec("osgeo") and shutil.which("gdal_viewshed"),
+                     "no GDAL: packages.txt, [tests]")  # fmt: skip
+class Viewshed(unittest.TestCase):
+    def test_small_table(self):
+        """Relievo's cells are those of lines over triangles, most of GDAL's too."""
+        done = subprocess.run(
+            [sys.executable, BENCH / "viewshed.py", os.environ["RELIEVO"], "--small", "--rounds",
+             "1"], stdout=subprocess.PIPE, text=True, check=True)  # fmt: skip
+        ours, theirs = csv.DictReader(done.stdout.splitlines())
+        self.assertEqual([row["method"] for row in (ours, theirs)],
+                         ["relievo viewshed", "gdal_viewshed"])  # fmt: skip
+        self.assertEqual(float(ours["differs from triangles, %"]), 0)
+        self.assertTrue(0 < float(theirs["differs from triangles, %"]) < 15)
+        for row in (ours, theirs):
+            self.assertEqual(row["cells"], "10000")
+            self.assertTrue(1 < float(row["seen, %"]) < 99)
+            self.assertTrue(0 < float(row["differs from bilinear, %"]) < 15)
+            self.assertGreater(float(row["processor seconds"]), 0)
+            self.assertGreater(float(row["MiB"]), 0)
 
 
 class Scale(unittest.TestCase):
