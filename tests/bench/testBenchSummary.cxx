@@ -9,6 +9,8 @@
 #include "Table.h"
 #include "TestCase.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <sys/stat.h>
 
 #include <cmath>
@@ -163,7 +165,12 @@ RELIEVO_TEST_CASE(testBenchSummary)
   relievoTest::Session session;
   const std::string here = relievoTest::OutputFolder() + "/here";
   const std::string there = relievoTest::OutputFolder() + "/there";
-  RELIEVO_CHECK(MakeFolder(here) && MakeFolder(there));
+  for (const std::string& folder : { here, there })
+  {
+    // An earlier run's tables may be in other rooms.
+    vtksys::SystemTools::RemoveADirectory(folder);
+    RELIEVO_CHECK(MakeFolder(folder));
+  }
   TestRatios(here, there);
   TestWritten(here, there);
   TestRefusals(there);
