@@ -19,7 +19,7 @@ import sys
 import gallery
 import reference
 from relievo.vtk.vtkImagingCore import vtkImageResize
-from relievo.vtk.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from relievo.vtk.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -103,14 +103,15 @@ def short_headings(text):
 
 
 def with_terms(name, text):
-    """A page with its index terms below the title."""
+    """A page with its index terms before the first paragraph, which the search then shows."""
     terms = ", ".join(f"! {term}" for term in TERMS.get(name, ()))
-    return text.replace("\n", f"\n\n```{{index}} {terms}\n```\n", 1) if terms else text
+    begin = re.search(r"^\w", text, re.M).start()
+    return f"{text[:begin]}```{{index}} {terms}\n```\n\n{text[begin:]}" if terms else text
 
 
 def shrink(source, dest):
-    """A picture as wide as a card."""
-    reader, resize, writer = vtkPNGReader(), vtkImageResize(), vtkPNGWriter()
+    """A picture as wide as a card, as JPEG."""
+    reader, resize, writer = vtkPNGReader(), vtkImageResize(), vtkJPEGWriter()
     reader.SetFileName(str(source))
     reader.Update()
     columns, rows, _ = reader.GetOutput().GetDimensions()
@@ -119,11 +120,18 @@ def shrink(source, dest):
     dest.parent.mkdir(parents=True, exist_ok=True)
     writer.SetFileName(str(dest))
     writer.SetInputConnection(resize.GetOutputPort())
+    writer.SetQuality(90)
     writer.Write()
 
 
 def lay_cards(dest):
-    """The guide's and the start page's lists of pages as cards with pictures."""
+    """The cards of the guide, the start page and the gallery, with small pictures."""
+
+    def small(picture):
+        card = pathlib.Path("cards", picture).with_suffix(".jpg").name
+        if not (dest / "cards" / card).exists():
+            shrink(dest / picture, dest / "cards" / card)
+        return f"cards/{card}"
 
     def picture_of(page):
         text = (dest / f"{page}.md").read_text()
@@ -131,12 +139,7 @@ def lay_cards(dest):
         picture = CARDS.get(page) or (found and found[1])
         if not picture:
             raise SystemExit(f"build.py: {page}.md begins with no picture, and CARDS has none")
-        if picture.endswith(".svg"):
-            return picture
-        small = "cards/" + picture.rsplit("/", 1)[-1]
-        if not (dest / small).exists():
-            shrink(dest / picture, dest / small)
-        return small
+        return picture if picture.endswith(".svg") else small(picture)
 
     def cards(match):
         caption, pages = re.search(r":caption: (.*)\n", match[0])[1], match[1].split()
@@ -150,10 +153,10 @@ def lay_cards(dest):
     guide = (dest / "guide.md").read_text()
     made = re.sub(r"```\{toctree\}\n(?::.*\n)*((?:[\w/-]+\n)*)```", cards, guide)
     (dest / "guide.md").write_text(made)
-    home = (dest / "index.md").read_text()
-    for picture in set(re.findall(r":img-top: cards/(.*)", home)):
-        if not (dest / "cards" / picture).exists():
-            shrink(dest / "pictures" / picture, dest / "cards" / picture)
+    for page in ("index.md", "gallery.md"):
+        text = (dest / page).read_text()
+        text = re.sub(r"(?<=:img-top: )(.*\.png)", lambda found: small(found[1]), text)
+        (dest / page).write_text(text)
 
 
 def lay_pages(dest):

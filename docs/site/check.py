@@ -140,11 +140,14 @@ def in_browser(site, browser, pictures):
         if none != 0:
             yield f"search.html: 'xyzzyplugh' finds {none}"
         for query, page in FIRST.items():
-            first = browser.found(
-                f"search.html?q={urllib.parse.quote(query)}",
-                "return page.querySelector('ul.search li a')?.getAttribute('href')")
+            first, words = browser.found(f"search.html?q={urllib.parse.quote(query)}", """
+                const found = page.querySelector("ul.search li");
+                return [found?.querySelector("a")?.getAttribute("href"),
+                        found?.querySelector("p.context")?.textContent];""") or (None, None)
             if not first or not first.startswith(page):
                 yield f"search.html: '{query}' finds {first} first, and not {page}"
+            if not words:
+                yield f"search.html: '{query}' shows nothing of {page}"
         listed = set(browser.found("python.html", """
             return [...page.querySelectorAll(".page-toc a")].flatMap(
               (link) => link.textContent.trim().split(", "));""") or ())
@@ -178,11 +181,17 @@ def in_browser(site, browser, pictures):
         if not colors or colors[0] == colors[1]:
             yield f"index.html: light and dark have one background: {colors}"
         for page in ("index.html", "gallery.html", "which-shadows.html", "charts/README.html",
-                     "python.html", "api/functions.html"):
-            wide = browser.found(page, "return page.documentElement.scrollWidth", size=TELEPHONE)
+                     "python.html", "api/functions.html", "api/Shadows.html"):
+            wide = browser.found(page, """
+                const texts = page.querySelectorAll("article :is(h1, h2, h3, p, dt)");
+                const ends = [...texts].filter((text) => !text.closest("table")).map(
+                  (text) => Math.round(text.getBoundingClientRect().left + text.scrollWidth));
+                return Math.max(page.documentElement.scrollWidth, ...ends);""", size=TELEPHONE)
             if wide is None or wide > TELEPHONE[0]:
                 yield f"{page}: {wide} pixels wide on a telephone of {TELEPHONE[0]}"
         broken = browser.found("index.html", """
+            for (const image of page.images) image.loading = "eager";
+            await later(1000);
             return [...page.images].filter((image) => !image.naturalWidth).map((i) => i.src);""")
         if broken != []:
             yield f"index.html: pictures that are not shown: {broken}"

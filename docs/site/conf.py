@@ -5,6 +5,8 @@
 import os
 import pathlib
 
+from docutils import nodes
+
 os.environ["PYDEVD_DISABLE_FILE_VALIDATION"] = "1"  # of the notebooks' kernels, which would warn
 project = "Relievo"
 copyright = "The Relievo authors"
@@ -13,6 +15,7 @@ extensions = ["myst_nb", "sphinx_copybutton", "sphinx_design"]
 myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 4
 myst_number_code_blocks = []
+myst_html_meta = {"description": "Pictures you can measure with, for VTK and ParaView"}
 suppress_warnings = ["myst.header", "mystnb.unknown_mime_type"]
 highlight_language = "none"
 nb_execution_mode = "force"
@@ -43,3 +46,13 @@ html_theme_options = {
     "pygments_light_style": "tango",
     "pygments_dark_style": "monokai",
 }
+
+
+def load_lazily(app, tree, name):
+    """The browser loads pictures below the first one only when the reader scrolls to them."""
+    for picture in list(tree.findall(nodes.image))[1:]:
+        picture["loading"] = "lazy"
+
+
+def setup(app):
+    app.connect("doctree-resolved", load_lazily)

@@ -282,12 +282,17 @@ def opening(page):
     return title, words, picture, re.search(r"^```.*?^```$", text, re.M | re.S)[0]
 
 
+def card(title, picture):
+    """A card that leads to a heading of the page."""
+    return (f":::{{grid-item-card}} {title}\n:link: '#{title.lower().replace(' ', '-')}'\n"
+            f":link-type: url\n:img-top: {picture}\n:img-alt: {title}\n:::\n")
+
+
 def lay(dest):
+    room = f'width="{SIZE[0]}" height="{SIZE[1]}" loading="lazy"'
     pairs = dest / "site/static/pairs"
     pairs.mkdir()
-    text = ("# Gallery\n\nDrag across a picture: the effect is off on the left and on at the "
-            "right. Each pair was drawn by the lines below it, when this site was built. "
-            "[More capabilities](#measuring-and-making-data) follow below the pairs.\n")
+    text, cards = "", "::::{grid} 2 3 4 4\n:gutter: 2\n\n"
     os.chdir(DATA)  # where the lines find their files
     for name, title, make, before, lines, page in PAIRS:
         renderer, window, *named = make()
@@ -297,9 +302,10 @@ def lay(dest):
         exec(lines, names)
         write(window, pairs / f"{name}-on.png")
         shown = f"{before}\n{lines}" if before else lines
+        cards += card(title, f"site/static/pairs/{name}-on.png")
         text += (f"\n## {title}\n\n```{{raw}} html\n<div class=\"pair\">\n"
-                 f"<img src=\"_static/pairs/{name}-off.png\" alt=\"{title}: off\">\n"
-                 f"<img src=\"_static/pairs/{name}-on.png\" alt=\"{title}: on\">\n"
+                 f"<img src=\"_static/pairs/{name}-off.png\" alt=\"{title}: off\" {room}>\n"
+                 f"<img src=\"_static/pairs/{name}-on.png\" alt=\"{title}: on\" {room}>\n"
                  f"<span class=\"off\">off</span><span class=\"on\">on</span>\n"
                  f"<input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"{title}: "
                  f"where the effect begins\">\n</div>\n```\n\n```python\n{shown}\n```\n\n"
@@ -307,6 +313,10 @@ def lay(dest):
     text += "\n## Measuring and making data\n"
     for page in SHOWN:
         title, words, picture, lines = opening(dest / f"{page}.md")
+        cards += card(title, picture)
         text += (f"\n### {title}\n\n![{words}]({picture})\n\n{lines}\n\n"
                  f"More: [{title.lower()}]({page}.md).\n")
-    (dest / "gallery.md").write_text(text)
+    (dest / "gallery.md").write_text(
+        f"# Gallery\n\n{cards}::::\n\nDrag across a picture: the effect is off on the left and on "
+        "at the right. Each pair was drawn by the lines below it, when this site was built. "
+        f"[More capabilities](#measuring-and-making-data) follow below the pairs.\n{text}")

@@ -7,6 +7,7 @@ import re
 import textwrap
 
 import relievo
+from numpy.typing import ArrayLike
 from relievo import _wrapped
 
 
@@ -24,13 +25,26 @@ def paragraphs(text):
     made = []
     for block in re.split(r"\n\s*\n", text.strip("\n")):
         lines = block.split("\n")
-        plain = not block.startswith((" ", "=")) and not any(
+        if block.startswith("="):
+            made.append(table(lines))
+            continue
+        plain = not block.startswith(" ") and not any(
             line.startswith((" ", "- ", "=")) for line in lines[1:])
         if plain:
             made.append(escaped(" ".join(line.strip() for line in lines)))
         else:
             made.append("::\n\n" + textwrap.indent(block, "   "))
     return "\n\n".join(made)
+
+
+def table(lines):
+    """A table with borders of '='; a row's cells are two spaces apart."""
+    rows = [re.split(r"\s{2,}", line) for line in lines if not line.startswith("=")]
+    text = ".. list-table::\n   :header-rows: 1\n\n"
+    for row in rows:
+        text += "".join(f"   {' ' if cell else '*'} - {escaped(words)}\n"
+                        for cell, words in enumerate(row))
+    return text
 
 
 def entry(directive, signature, text):
@@ -47,6 +61,13 @@ def functions():
         what = getattr(relievo, name)
         if not name.startswith("_") and inspect.isfunction(what):
             yield name, what
+
+
+def signature(what):
+    """Parameters and result of a function, with the names of types that imports have."""
+    members = inspect.formatannotation(ArrayLike).removeprefix("Union[").removesuffix("]")
+    text = str(inspect.signature(what)).replace(members, "ArrayLike")
+    return re.sub(r"\b(?:vtkmodules|relievo)(?:\.\w+)*\.(?=\w)", "", text)
 
 
 def method(what):
@@ -69,12 +90,17 @@ def lay_class(cls):
     text = (f".. py:class:: {cls.__name__}({cls.__mro__[1].__name__})\n"
             "   :no-contents-entry:\n\n")
     text += textwrap.indent(paragraphs(words), "   ") + "\n\n"
-    for name, what in sorted(vars(cls).items()):
-        usual = ("NewInstance", "IsA", "IsTypeOf", "SafeDownCast", "GetNumberOfGenerationsFromBase",
-                 "GetNumberOfGenerationsFromBaseType")
-        if name.startswith("_") or name in usual or not inspect.ismethoddescriptor(what):
-            continue
-        signatures, words = method(what)
+    usual = ("NewInstance", "IsA", "IsTypeOf", "SafeDownCast", "GetNumberOfGenerationsFromBase",
+             "GetNumberOfGenerationsFromBaseType")
+    found = {name: method(what) for name, what in sorted(vars(cls).items())
+             if not name.startswith("_") and name not in usual and inspect.ismethoddescriptor(what)}
+    for name in list(found):
+        # Without words of its own, a method stands with the one that sets its value.
+        stem = re.fullmatch(r"Get(\w+?)(?:MinValue|MaxValue)?|(\w+)O(?:n|ff)", name)
+        setter = stem and f"Set{stem[1] or stem[2]}"
+        if setter in found and not found[name][1] and found[setter][1]:
+            found[setter][0].extend(found.pop(name)[0])
+    for signatures, words in found.values():
         if signatures:
             several = ("\n" + " " * len(".. py:method:: ")).join(signatures)
             text += textwrap.indent(entry("method", several, words), "   ")
@@ -97,7 +123,7 @@ def lay(dest):
     text = heading("Functions", "=") + ".. py:module:: relievo\n\n"
     text += paragraphs(inspect.getdoc(relievo)) + "\n\n"
     for name, what in functions():
-        text += entry("function", f"{name}{inspect.signature(what)}", inspect.getdoc(what))
+        text += entry("function", f"{name}{signature(what)}", inspect.getdoc(what))
     (dest / "functions.rst").write_text(text)
     names = []
     for module, classes in sorted(modules().items()):
