@@ -350,14 +350,16 @@ void vtkRelievoRayScene::Collect()
 {
   Internals& scene = *this->Internal;
   scene.vtkRelievoRayContent::Collect(this->PointIds);
+  std::set<vtkProp*> warned; // only of these props: others may be gone, and their addresses reused
   std::string names;
   for (vtkProp* prop : scene.LeftOut)
   {
-    if (scene.Warned.insert(prop).second)
+    if (warned.insert(prop).second && scene.Warned.count(prop) == 0)
     {
       names += (names.empty() ? "" : ", ") + std::string(prop->GetClassName());
     }
   }
+  scene.Warned = std::move(warned);
   if (!names.empty())
   {
     vtkWarningMacro("Rays do not hit " << names

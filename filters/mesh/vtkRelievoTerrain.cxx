@@ -21,6 +21,7 @@
 #include "vtkPolyData.h"
 #include "vtkTypeInt32Array.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

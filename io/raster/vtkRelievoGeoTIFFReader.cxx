@@ -91,6 +91,22 @@ std::array<double, 6> MakeTransform(GeoTags& tags)
   return at;
 }
 
+// Whether GDAL's metadata give the first band a scale or an offset.
+bool HasScale(const std::string& metadata)
+{
+  for (std::size_t begin = metadata.find('<'); begin != std::string::npos;
+       begin = metadata.find('<', begin + 1))
+  {
+    const std::string tag = metadata.substr(begin, metadata.find('>', begin) - begin);
+    const auto has = [&tag](const char* text) { return tag.find(text) != std::string::npos; };
+    if (has("sample=\"0\"") && (has("role=\"scale\"") || has("role=\"offset\"")))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 template <typename Array, typename Values>
 void AddField(vtkImageData* image, const char* name, const Values& values)
 {
@@ -128,13 +144,10 @@ vtkSmartPointer<vtkImageData> ReadRaster(const std::string& path)
       "its coordinates are degrees; convert it to coordinates with lengths, such as "
       "UTM, by gdalwarp -t_srs EPSG:CODE");
   }
-  for (const char* role : { "role=\"scale\"", "role=\"offset\"" })
+  if (HasScale(tags.Metadata))
   {
-    if (tags.Metadata.find(role) != std::string::npos)
-    {
-      throw relievo::image::Failure(
-        "its values have a scale or an offset; apply them by gdal_translate -unscale");
-    }
+    throw relievo::image::Failure(
+      "its values have a scale or an offset; apply them by gdal_translate -unscale");
   }
   AddField<vtkDoubleArray>(image, relievo::raster::Transform, MakeTransform(tags));
   if (!tags.NoData.empty())

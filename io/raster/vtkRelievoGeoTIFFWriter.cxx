@@ -24,6 +24,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <system_error>
 #include <vector>
@@ -55,7 +56,14 @@ tmsize_t WriteSink(thandle_t handle, void* from, tmsize_t size)
 {
   auto* sink = static_cast<Sink*>(handle);
   const auto count = static_cast<std::size_t>(size);
-  sink->Data.resize(std::max(sink->Data.size(), sink->At + count));
+  try
+  {
+    sink->Data.resize(std::max(sink->Data.size(), sink->At + count));
+  }
+  catch (const std::exception&) // too large; libtiff is C
+  {
+    return -1;
+  }
   std::copy_n(static_cast<const char*>(from), count, sink->Data.data() + sink->At);
   sink->At += count;
   return size;
@@ -191,6 +199,19 @@ void WriteBand(TIFF* tiff, vtkPolyData* mesh, vtkDataArray* band, int plane, std
   }
 }
 
+// Whether an array has integers of 32 bits only.
+bool FitsInt32(vtkDataArray* array)
+{
+  if (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE)
+  {
+    return false;
+  }
+  const double* range = array->GetRange(0);
+  return array->GetNumberOfTuples() == 0 ||
+    (range[0] >= std::numeric_limits<std::int32_t>::min() &&
+      range[1] <= std::numeric_limits<std::int32_t>::max());
+}
+
 // The bytes of the file. Throws Failure.
 std::string MakeFile(vtkPolyData* mesh)
 {
@@ -214,8 +235,10 @@ std::string MakeFile(vtkPolyData* mesh)
       std::strcmp(array->GetName(), relievo::raster::Cell) != 0)
     {
       bands.push_back(array);
-      isWhole = isWhole && array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
-      isDouble = isDouble || array->GetDataType() == VTK_DOUBLE;
+      const bool isFloat = array->GetDataType() == VTK_FLOAT;
+      const bool fits = FitsInt32(array);
+      isWhole = isWhole && fits;
+      isDouble = isDouble || !(fits || isFloat);
     }
   }
   if (bands.empty())
@@ -236,8 +259,9 @@ std::string MakeFile(vtkPolyData* mesh)
   const auto width = static_cast<std::uint32_t>(columns);
   const auto height = static_cast<std::uint32_t>(rows);
   const int bytes = isDouble ? 8 : 4;
-  const std::uint32_t rowsOfStrip =
-    std::clamp<std::uint32_t>((1U << 18) / (width * static_cast<std::uint32_t>(bytes)), 1, height);
+  const std::uint64_t rowBytes = std::uint64_t{ width } * static_cast<std::uint64_t>(bytes);
+  const auto rowsOfStrip =
+    static_cast<std::uint32_t>(std::clamp<std::uint64_t>((1U << 18) / rowBytes, 1, height));
   TIFFSetField(tiff.get(), TIFFTAG_IMAGEWIDTH, width);
   TIFFSetField(tiff.get(), TIFFTAG_IMAGELENGTH, height);
   TIFFSetField(tiff.get(), TIFFTAG_BITSPERSAMPLE, 8 * bytes);

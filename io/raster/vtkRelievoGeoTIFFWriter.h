@@ -5,10 +5,10 @@
  * @brief Writes values at the points of a terrain as a GeoTIFF on the grid of its raster.
  *
  * Input: a vtkPolyData of vtkRelievoTerrain, with point arrays of one component. Each of them but
- * raster_cell becomes a band with its name as description: Int32 if all arrays are of integers,
- * otherwise Float32, or Float64 if one is double. The place in the world and the coordinate system
- * are those of the terrain (vtkRelievoRaster.h). Cells without a point have the value NoData. Bands
- * are compressed without loss (deflate).
+ * raster_cell becomes a band with its name as description: Int32 if all arrays are of integers
+ * of 32 bits; otherwise Float32, or Float64 if one is double or has larger integers. The place in
+ * the world and the coordinate system are those of the terrain (vtkRelievoRaster.h). Cells without
+ * a point have the value NoData. Bands are compressed without loss (deflate).
  *
  * A file is replaced when the new one is complete.
  *
@@ -19,8 +19,6 @@
 
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRelievoIOModule.h" // for the export macro
-
-#include <string> // for the text of an error
 
 class VTKRELIEVOIO_EXPORT vtkRelievoGeoTIFFWriter : public vtkPolyDataAlgorithm
 {

@@ -575,6 +575,12 @@ class SeenScene(unittest.TestCase):
         lines.SetInputConnection(source.GetOutputPort())
         sensor = relievo.Pinhole(K, SIZE).look_at((0, 0, 4), (0, 0, 0))
         shown = near.GetProperty()
+        for _ in range(2):  # the rays are kept, and tell of an actor that is left out again
+            shown.SetRepresentationToWireframe()
+            with self.assertWarnsRegex(RuntimeWarning, "Rays do not hit vtk.*Actor: "):
+                relievo.capture(renderer, ["depth"], camera=sensor)
+            shown.SetRepresentationToSurface()
+            relievo.capture(renderer, ["depth"], camera=sensor)
         for mapper, representation in (
                 (near.GetMapper(), shown.SetRepresentationToWireframe),
                 (lines, shown.SetRepresentationToSurface)):  # fmt: skip

@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
@@ -86,10 +86,13 @@ def are_free(eye, targets, corners):
 
 def ground(corners, x, y):
     """The height of the triangles at a place."""
+    def cross(p, q):
+        return p[0] * q[1] - p[1] * q[0]
+
     for a, b, c in corners:
-        area = numpy.cross(b[:2] - a[:2], c[:2] - a[:2])
-        u = numpy.cross([x, y] - a[:2], c[:2] - a[:2]) / area
-        v = numpy.cross(b[:2] - a[:2], [x, y] - a[:2]) / area
+        area = cross(b - a, c - a)
+        u = cross([x, y] - a[:2], c - a) / area
+        v = cross(b - a, [x, y] - a[:2]) / area
         if u >= 0 and v >= 0 and u + v <= 1:
             return a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2])
     raise AssertionError("outside")
@@ -338,6 +341,46 @@ class Files(Folder):
             self.assertEqual(again.transform, of.transform)
             numpy.testing.assert_array_equal(numpy.isnan(again.heights), ~there)
 
+    def test_kinds_of_numbers(self):
+        """Integers of all kinds, large ones, masked arrays, and arrays of the caller's."""
+        heights = hills(6, 7)
+        heights[2, 3] = numpy.nan
+        terrain = relievo.terrain(heights, UTM)
+        there = numpy.isfinite(heights)
+        values = numpy.arange(42).reshape(6, 7)
+        out = str(self.folder / "out.tif")
+        terrain.dataset.GetPointData().AddArray(numpy_to_vtk(values[there].astype(float), deep=1))
+        terrain.dataset.GetPointData().GetArray(1).SetName("mine")
+
+        def write(raster):
+            terrain.write(out, {"a": raster})
+            file = gdal.Open(out)
+            self.assertEqual(file.RasterCount, 1)
+            return file.GetRasterBand(1).DataType, file.ReadAsArray()
+
+        for kind in ("?", "i1", "u1", "u2", "i4", ">i4", "u4", "i8"):
+            with self.subTest(kind):
+                raster = values.astype(kind)
+                of, found = write(raster)
+                self.assertEqual(of, gdal.GDT_Int32)
+                numpy.testing.assert_array_equal(found, numpy.where(there, raster, -9999.0))
+                masked = numpy.ma.masked_array(raster, values % 5 == 0)
+                numpy.testing.assert_array_equal(
+                    write(masked)[1], numpy.where(there & (values % 5 != 0), raster, -9999.0))
+        for kind, most in (("u4", 2**32 - 1), ("i8", 2**40), ("u8", 2**40)):
+            raster = values.astype(kind)
+            raster[0, 0] = most
+            of, found = write(raster)
+            self.assertEqual((of, found[0, 0], found[2, 3]), (gdal.GDT_Float64, most, -9999))
+        mesh = vtkPolyData()
+        mesh.ShallowCopy(terrain.dataset)
+        for kind in ("u1", "i1", "u2"):
+            array = numpy_to_vtk(values[there].astype(kind), deep=1)
+            array.SetName("a")
+            mesh.GetPointData().AddArray(array)
+            numpy.testing.assert_array_equal(terrain.rasters(mesh)["a"],
+                                             numpy.where(there, values, -9999))  # fmt: skip
+
     def test_refused(self):
         heights = hills(9, 9).astype(numpy.float32)
         bare = self.write("bare.tif", heights, transform=None, epsg=None)
@@ -350,6 +393,11 @@ class Files(Folder):
         file = gdal.Open(scaled, gdal.GA_Update)
         file.GetRasterBand(1).SetScale(0.1)
         del file
+        second = self.write("second.tif", numpy.stack([heights, heights], axis=-1))
+        file = gdal.Open(second, gdal.GA_Update)
+        file.GetRasterBand(2).SetOffset(7)
+        del file
+        numpy.testing.assert_array_equal(relievo.terrain(second).heights, heights)
         (self.folder / "text.tif").write_text("no TIFF")
         terrain = relievo.terrain(heights, UTM)
         level = relievo.terrain(numpy.zeros((4, 4)), (1, 0, 0, 0, -1, 4))
@@ -366,6 +414,10 @@ class Files(Folder):
             ("its cells an area", lambda: relievo.terrain(heights, (1, 2, 3, 2, 4, 5))),
             ("heights: got an array of shape", lambda: relievo.terrain(heights[0], UTM)),
             ("beside a file", lambda: relievo.terrain(row, UTM)),
+            ("transform: got 10", lambda: relievo.terrain(heights, 10)),
+            ("transform: got 'abcdef'", lambda: relievo.terrain(heights, "abcdef")),
+            ("observers: got \\[{'x': 1}]", lambda: relievo.viewshed(terrain, [{"x": 1}])),
+            ("observers: got 'a'", lambda: relievo.viewshed(terrain, "a")),
             ("observers: got", lambda: relievo.viewshed(terrain, (1, 2))),
             ("observers: got", lambda: relievo.viewshed(terrain, (1, 2, -1))),
             ("is not above the mesh", lambda: relievo.viewshed(level, (0.2, 2, 1))),
@@ -375,6 +427,8 @@ class Files(Folder):
             ("mesh: got 16 values", lambda: terrain.rasters(level)),
             ("rasters: got an array of shape", lambda: terrain.write("a.tif", {"a": heights[1:]})),
             ("rasters: got none", lambda: terrain.write("a.tif", {})),
+            ("rasters: got the name 'raster_cell'",
+             lambda: terrain.write("a.tif", {"raster_cell": heights})),
         ):
             with self.subTest(text), self.assertRaisesRegex(ValueError, text):
                 call()
@@ -419,6 +473,14 @@ class Sun(Folder):
         hours = terrain.rasters(mesh)["sun_hours"]
         self.assertEqual(hours[5, 6], terrain.nodata)
         numpy.testing.assert_allclose(hours[numpy.isfinite(heights)], possible, atol=1e-3)
+        # The default of `up` is z.
+        summer = [relievo.sun_exposure(thing, 48, 11, "2026-06-21", points=True, step=15, **up)
+                  for thing, up in ((terrain, {"up": "z"}), (terrain, {"up": "y"}), (terrain, {}),
+                                    (relievo.rays(terrain.dataset), {}))]  # fmt: skip
+        along_z, along_y, *defaults = (terrain.rasters(each)["sun_hours"] for each in summer)
+        self.assertGreater(along_z[0, 0], along_y[0, 0] + 2)
+        for found in defaults:
+            numpy.testing.assert_array_equal(found, along_z)
         # At an equinox the sun rises in the east, along the ground's parallel.
         heights[:, 40] = 400
         walled = relievo.terrain(heights, terrain.transform)

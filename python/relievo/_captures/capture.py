@@ -185,6 +185,8 @@ def _drawn_by(renderer, cameras, layers, size, hdr):
         values = vtk_to_numpy(views.GetPointData().GetArray(name))
         values = values.reshape(len(cameras), rows, columns, *values.shape[1:])
         arrays[name] = numpy.ascontiguousarray(values[:, ::-1])
+        del values
+        views.GetPointData().RemoveArray(name)  # not all layers twice in memory
     return arrays
 
 

@@ -155,7 +155,10 @@ def viewshed(*arguments, **given):
     filter_ = vtkRelievoViewshed()
     for keyword, name in _OF_VIEWSHED.items():
         set_value("viewshed", filter_, name, given[keyword], keyword)
-    observers = numpy.atleast_2d(numpy.asarray(given["observers"], float))
+    try:
+        observers = numpy.atleast_2d(numpy.asarray(given["observers"], float))
+    except (TypeError, ValueError):
+        observers = numpy.empty(0)
     if observers.shape[1:] != (3,) or not (numpy.isfinite(observers).all()
                                            and (observers[:, 2] >= 0).all()):
         raise ValueError(f"observers: got {describe(given['observers'])}, expected finite "
@@ -286,6 +289,7 @@ _SUN_SIGNATURE = inspect.Signature(
 
 def sun_exposure(*arguments, **given):
     bound = bind("sun_exposure", _SUN_SIGNATURE, arguments, given)
+    has_up = "up" in bound.arguments
     bound.apply_defaults()
     given = bound.arguments
     filter_ = vtkRelievoSunExposure()
@@ -304,6 +308,8 @@ def sun_exposure(*arguments, **given):
     elif weather is not None:
         filter_.SetWeather(_weather(weather))
     _give(filter_, given["mesh"], given["occluders"])
+    if not has_up and filter_.GetInputDataObject(0, 0).GetFieldData().HasArray("raster_size"):
+        filter_.SetUpAxis(2)  # a terrain's
     _run(filter_, "sun_exposure")
     return _copy(filter_.GetOutput())
 
@@ -334,7 +340,7 @@ sun_exposure.__doc__ = f"""Returns the mesh with its hours of sun and its irradi
 
 mesh: a dataset or a filter that makes one; data other than polygons count by their outer
     surface. Normals point outwards. Or Rays of it and its occluders, such as
-    relievo.rays("city.rays", mesh).
+    relievo.rays("city.rays", mesh). For a Terrain, the default of `up` is z.
 latitude, longitude: degrees, -90 to 90 and -180 to 180, north and east positive.
 first, last: the first and the last day, as datetime.date or "2026-06-21"; last None: one day.
 occluders: other data that shade it, one or a list.

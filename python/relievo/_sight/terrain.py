@@ -48,7 +48,7 @@ class Terrain:
         return f"<relievo.Terrain of {self._shape[0]} rows and {self._shape[1]} columns>"
 
     def _spread(self, values, missing):
-        raster = numpy.full(self._shape, missing, values.dtype)
+        raster = numpy.full(self._shape, missing, _signed(values.dtype))
         raster.ravel()[self._cells] = values
         return raster
 
@@ -68,18 +68,25 @@ class Terrain:
     def write(self, path: str | os.PathLike, rasters: Mapping[str, ArrayLike]) -> None:
         """Writes rasters, a dict of arrays (rows, columns) by name, as the bands of a GeoTIFF
         with the terrain's place and, if it was read from a file, its coordinate system. Cells
-        without a height are written as `nodata`. Raises ValueError for wrong arguments, OSError for
-        a path that cannot be written."""
+        without a height, and masked ones, are written as `nodata`. Raises ValueError for wrong
+        arguments, OSError for a path that cannot be written."""
         mesh = vtkPolyData()
         mesh.ShallowCopy(self.dataset)
+        cells = mesh.GetPointData().GetArray("raster_cell")
+        mesh.GetPointData().Initialize()  # without arrays of the caller
+        mesh.GetPointData().AddArray(cells)
         for name, values in dict(rasters).items():
-            raster = numpy.asarray(values)
+            if name == "raster_cell":
+                raise ValueError(f"rasters: got the name {name!r}, which is that of the cells' "
+                                 f"numbers, expected another one")
+            raster = numpy.ma.asanyarray(values)
             if raster.shape != self._shape or raster.dtype.kind not in "biuf":
                 raise ValueError(f"rasters: got {describe(values)} for {name!r}, expected numbers "
                                  f"of {self._shape[0]} rows and {self._shape[1]} columns")
-            kind = (raster.dtype if raster.dtype in (numpy.float32, numpy.float64)
-                    else numpy.float64 if raster.dtype.kind == "f" else numpy.int32)
-            array = numpy_to_vtk(raster.ravel()[self._cells].astype(kind), deep=True)
+            kind = _signed(raster.dtype)
+            kind = kind if kind.kind == "i" or kind == numpy.float32 else numpy.float64
+            raster = numpy.ma.filled(raster.astype(kind), self.nodata)
+            array = numpy_to_vtk(raster.ravel()[self._cells], deep=True)
             array.SetName(str(name))
             mesh.GetPointData().AddArray(array)
         if mesh.GetPointData().GetNumberOfArrays() == 1:
@@ -90,6 +97,11 @@ class Terrain:
         with Watch(writer) as watch:
             writer.Write()
         watch.raise_as(OSError, "write")
+
+
+def _signed(kind):
+    """A type of numbers with those of this one, and with `nodata`."""
+    return kind if kind.kind == "f" else numpy.promote_types(kind, numpy.int16)
 
 
 def terrain(heights: ArrayLike | str | os.PathLike, transform: Sequence[float] | None = None,
@@ -133,7 +145,10 @@ def terrain(heights: ArrayLike | str | os.PathLike, transform: Sequence[float] |
     values = numpy.ma.filled(values.astype(float), numpy.nan)
     if transform is None:
         raise ValueError("transform: got None beside an array, expected six numbers")
-    numbers = numpy.asarray(tuple(transform)[:6], float)
+    try:
+        numbers = numpy.asarray(tuple(transform)[:6], float)
+    except (TypeError, ValueError):
+        numbers = numpy.empty(0)
     if numbers.shape != (6,) or not numpy.isfinite(numbers).all():
         raise ValueError(f"transform: got {describe(transform)}, expected six finite numbers")
     image = vtkImageData()
