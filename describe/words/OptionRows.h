@@ -3,8 +3,8 @@
 /**
  * Makes the rows of a command: its options, each described by the code that uses its value.
  */
-#ifndef Rows_h
-#define Rows_h
+#ifndef OptionRows_h
+#define OptionRows_h
 
 #include "vtkRelievoOption.h"
 

@@ -329,6 +329,13 @@ bool HasReader(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+bool IsRaster(const std::string& path)
+{
+  const Format* format = FindFormat(path);
+  return format && format->Open == OpenTerrain;
+}
+
+//------------------------------------------------------------------------------
 bool IsGLTF(const std::string& path)
 {
   const std::string extension = ExtensionOf(path);

@@ -35,6 +35,9 @@ void CheckExtension(const std::string& path);
 /// Whether a reader accepts it.
 bool HasReader(const std::string& path);
 
+/// Whether the path has the extension of a raster of heights, which are along z.
+bool IsRaster(const std::string& path);
+
 /// Whether the path has a glTF extension.
 bool IsGLTF(const std::string& path);
 

@@ -23,6 +23,10 @@ int FindUpAxis(const std::string& path, const double bounds[6])
   {
     return 1; // y is up in these formats, or their readers make it so
   }
+  if (IsRaster(path))
+  {
+    return 2; // also for level ground
+  }
   const auto extent = [bounds](int axis) { return bounds[2 * axis + 1] - bounds[2 * axis]; };
   const double largest = std::max({ extent(0), extent(1), extent(2) });
   const auto standsOn = [&](int axis) {

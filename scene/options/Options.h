@@ -77,7 +77,6 @@ bool IsOfSwitch(const StageChoice& choice);
 
 /// Parses files and options in the words of `relievo render`; files may follow later.
 RenderOptions ParseOptions(const std::vector<std::string>& words);
-
 }
 
 #endif

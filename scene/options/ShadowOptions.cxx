@@ -107,8 +107,7 @@ void AddShadowOptions(OptionRows& rows, RenderOptions& all)
   rows
     .AddChoice("--volume-shadows", "KIND", { "both", "casts", "receives", "none" },
       "whether volumes (--image volume) cast shadows and receive them, also their own, if there "
-      "are "
-      "shadows: @choices@ (both)",
+      "are shadows: @choices@ (both)",
       [&all](std::size_t place) {
         all.VolumesCast = place < 2;
         all.VolumesReceive = place % 2 == 0;
@@ -130,8 +129,8 @@ void AddShadowOptions(OptionRows& rows, RenderOptions& all)
     .NamedIn("Light", "Tolerance")
     .Help = "shadows by the cheapest method with an expected share of wrong pixels of at most S, "
             "such as 0.05% or 0.0005";
+  // The method is chosen later.
   rows.Command.Options.back().Implies = { "--shadows", "map" };
-  // the method is chosen later
   AddOfStage(rows, all.Stages, "--time-budget MS", "shadows", "time_budget", "-",
     [](const std::string& word) {
       return WriteNumber(

@@ -16,7 +16,11 @@ from cli import RELIEVO, CliTest, main
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter, vtkXMLPolyDataReader
+from vtkmodules.vtkIOXML import (
+    vtkXMLMultiBlockDataWriter,
+    vtkXMLPolyDataReader,
+    vtkXMLPolyDataWriter,
+)
 
 try:
     from osgeo import gdal, osr
@@ -173,9 +177,29 @@ class Sight(CliTest):
             self.assertEqual((self.folder / "shared.tif").read_bytes(),
                              (self.folder / name).read_bytes())  # fmt: skip
             shutil.rmtree(self.folder / "shared.tif.parts")
+        # Level ground has z up, too.
+        file = gdal.GetDriverByName("GTiff").CreateCopy(
+            str(self.folder / "level.tif"), gdal.Open(str(self.folder / "dem.tif")))
+        file.GetRasterBand(1).Fill(0)
+        del file
+        for words, name in (([], "a.tif"), (["--up", "z"], "b.tif")):
+            self.relievo("sun", "level.tif", *SUN, "--step", "60", *words, "-o", name)
+        self.assertEqual((self.folder / "a.tif").read_bytes(),
+                         (self.folder / "b.tif").read_bytes())  # fmt: skip
+        self.assertAlmostEqual(gdal.Open(str(self.folder / "a.tif")).ReadAsArray()[0, 0, 0], 12,
+                               delta=0.2)  # fmt: skip
+        (self.folder / "a.tif").unlink()
+        # A mesh that has only a part of a raster's arrays.
+        mesh = self.read("seen.vtp")
+        mesh.GetPointData().RemoveArray("raster_cell")
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(self.folder / "half.vtp"))
+        writer.SetInputData(mesh)
+        writer.Write()
         here = ["--observer", "0,0,2", "-o", "a.tif"]
         for words, status, text in (
             (["ground.off", *here], 2, "the mesh is no raster; expected a GeoTIFF"),
+            (["half.vtp", *here], 2, "the mesh is no raster; expected a GeoTIFF"),
             (["dem.tif", *here], 1, "is not above the mesh"),
             (["dem.tif", "--observer", "0,0", "-o", "a.tif"], 2, "X,Y,HEIGHT"),
             (["dem.tif", "--observer", "0,0,-1", "-o", "a.tif"], 2, "a height above the ground"),
@@ -267,6 +291,15 @@ class Sight(CliTest):
         for name, text in (("low,1.off", low), ("high.off", high), ("both.off", both),
                            ("screen.off", screen)):  # fmt: skip
             (self.folder / name).write_text(text)
+        # Blocks, one of which has no points.
+        (self.folder / "empty.vtp").write_text(
+            '<VTKFile type="PolyData" version="1.0"><PolyData><Piece NumberOfPoints="0"><Points>'
+            '<DataArray type="Float32" NumberOfComponents="3" format="ascii"/></Points></Piece>'
+            "</PolyData></VTKFile>")  # fmt: skip
+        (self.folder / "blocks.vtm").write_text(
+            '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>'
+            '<DataSet index="0" file="empty.vtp"/><DataSet index="1" file="zones.vtp"/>'
+            "</vtkMultiBlockDataSet></VTKFile>")
         root = math.sqrt(2)
         truth = 2 / math.pi * (
             math.log(2 / math.sqrt(3)) + 2 * root * math.atan(1 / root) - math.pi / 2)
@@ -300,6 +333,7 @@ class Sight(CliTest):
             (["low,1.off", "high.off"], ["low,1.off", "high.off"]),
             (["both.off", "--groups", "parts"], ["0", "1"]),
             (["zones.vtp", "--groups", "array:group"], ["0", "1"]),
+            (["blocks.vtm", "--groups", "parts"], ["0", "1"]),
         ):
             names, found = factors(*words, "--tolerance", "0.01")
             self.assertEqual(names, expected)
@@ -354,6 +388,16 @@ class Sight(CliTest):
             with self.subTest(words=words):
                 self.refused(*words, "-o", "a.vtp", status=1, says=["-o a.vtp", "too large"],
                              wrapper=full)  # fmt: skip
+        file = gdal.GetDriverByName("GTiff").Create(
+            str(self.folder / "dem.tif"), 60, 60, 1, gdal.GDT_Float64)
+        file.SetGeoTransform((0, 10, 0, 0, 0, -10))
+        file.GetRasterBand(1).WriteArray(numpy.random.default_rng(1).random((60, 60)))
+        del file
+        self.before = self.names()
+        view = ["viewshed", "dem.tif", "--observer", "300,-300,1", "-o", "a.tif"]
+        full[2] = full[2].replace("1", "0", 1)
+        done = self.refused(*view, status=1, says=["-o a.tif: a.tif: ", "too large"], wrapper=full)
+        self.assertNotIn(".relievo-", done.stderr)
 
     def test_visible(self):
         look = ["--poses", "above.json", "--size", "200x100", "--view-angle", "20"]

@@ -56,6 +56,10 @@ void WriteText(const std::string& text, const std::string& option, const std::st
 // after the last.
 int FindParts(vtkPolyData* mesh, int first, vtkIntArray* parts)
 {
+  if (mesh->GetNumberOfCells() == 0)
+  {
+    return first;
+  }
   std::vector<vtkIdType> place(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(mesh);

@@ -15,6 +15,7 @@
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoGeoTIFFWriter.h"
 #include "vtkRelievoRaster.h"
@@ -95,8 +96,11 @@ int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::str
 bool CheckRaster(vtkRelievoSightAlgorithm* filter, const std::string& output)
 {
   const bool isRaster = reading::ExtensionOf(output) == ".tif";
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(filter->GetInputDataObject(0, 0));
   if (isRaster &&
-    !filter->GetInputDataObject(0, 0)->GetFieldData()->GetArray(relievo::raster::Size))
+    !(mesh->GetFieldData()->GetArray(relievo::raster::Size) &&
+      mesh->GetFieldData()->GetArray(relievo::raster::Transform) &&
+      mesh->GetPointData()->GetArray(relievo::raster::Cell)))
   {
     throw words::UsageError("-o " + output +
       ": the mesh is no raster; expected a GeoTIFF as the first FILE, or -o FILE.vtp");
@@ -115,7 +119,14 @@ void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& 
     writer->SetInputData(mesh);
     writer->SetFileName(outputs.Temporary(path).c_str());
     const bool written = writer->Write();
-    reading::Messages::Check(option + " " + path, !written, "the raster was not written");
+    try
+    {
+      reading::Messages::Check(option + " " + path, !written, "the raster was not written");
+    }
+    catch (const words::WorkError& error)
+    {
+      throw words::WorkError(outputs.WithGivenNames(error.what()));
+    }
     return;
   }
   vtkNew<vtkXMLPolyDataWriter> writer;
