@@ -323,6 +323,9 @@ void ReadSamples(TIFF* tiff, const Source& source, const Layout& layout, vtkImag
   }
   block.RowSize = static_cast<std::size_t>(rowSize);
   block.Data.resize(static_cast<std::size_t>(size));
+  const std::uint64_t* offsets = nullptr;
+  TIFFGetField(tiff, tiled ? TIFFTAG_TILEOFFSETS : TIFFTAG_STRIPOFFSETS, &offsets);
+  const std::uint32_t stored = tiled ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
   for (int plane = 0; plane < (layout.Apart ? layout.Components : 1); ++plane)
   {
     for (std::uint64_t y = 0; y < layout.Height; y += block.Height)
@@ -332,11 +335,14 @@ void ReadSamples(TIFF* tiff, const Source& source, const Layout& layout, vtkImag
         block.X = static_cast<std::uint32_t>(x);
         block.Y = static_cast<std::uint32_t>(y);
         const auto sample = static_cast<std::uint16_t>(plane);
-        const tmsize_t got = tiled
-          ? TIFFReadEncodedTile(
-              tiff, TIFFComputeTile(tiff, block.X, block.Y, 0, sample), block.Data.data(), size)
-          : TIFFReadEncodedStrip(
-              tiff, TIFFComputeStrip(tiff, block.Y, sample), block.Data.data(), size);
+        const std::uint32_t index = tiled ? TIFFComputeTile(tiff, block.X, block.Y, 0, sample)
+                                          : TIFFComputeStrip(tiff, block.Y, sample);
+        if (offsets && index < stored && offsets[index] == 0) // the library would read the header
+        {
+          throw Failure("it is sparse, without some of its blocks; fill them by gdal_translate");
+        }
+        const tmsize_t got = tiled ? TIFFReadEncodedTile(tiff, index, block.Data.data(), size)
+                                   : TIFFReadEncodedStrip(tiff, index, block.Data.data(), size);
         const std::uint64_t rows = std::min<std::uint64_t>(block.Height, layout.Height - y);
         if (got < 0 || static_cast<std::uint64_t>(got) < rows * block.RowSize)
         {

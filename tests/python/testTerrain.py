@@ -398,6 +398,12 @@ class Files(Folder):
         file.GetRasterBand(2).SetOffset(7)
         del file
         numpy.testing.assert_array_equal(relievo.terrain(second).heights, heights)
+        file = gdal.GetDriverByName("GTiff").Create(
+            str(self.folder / "sparse.tif"), 90, 90, 1, gdal.GDT_Float32,
+            ["SPARSE_OK=YES", "TILED=YES", "BLOCKXSIZE=32", "BLOCKYSIZE=32"])  # fmt: skip
+        file.SetGeoTransform((0, 1, 0, 0, 0, -1))
+        file.GetRasterBand(1).WriteArray(heights)
+        del file
         (self.folder / "text.tif").write_text("no TIFF")
         terrain = relievo.terrain(heights, UTM)
         level = relievo.terrain(numpy.zeros((4, 4)), (1, 0, 0, 0, -1, 4))
@@ -408,6 +414,7 @@ class Files(Folder):
             ("no three neighbouring cells", lambda: relievo.terrain(holes)),
             ("a picture", lambda: relievo.terrain(colors)),
             ("scale or an offset", lambda: relievo.terrain(scaled)),
+            ("is sparse", lambda: relievo.terrain(self.folder / "sparse.tif")),
             ("expected a GeoTIFF", lambda: relievo.terrain(self.folder / "text.tif")),
             ("transform: got None", lambda: relievo.terrain(heights)),
             ("transform: got", lambda: relievo.terrain(heights, (1, 2, 3))),
