@@ -600,7 +600,9 @@ void MainWindow::OpenNext(int step)
   QStringList names;
   for (const QString& name : file.dir().entryList(QDir::Files, QDir::Name))
   {
-    if (reading::HasReader(name.toStdString()))
+    // Textures are TIFFs beside models, so that terrains and other files are followed apart.
+    if (const std::string n = name.toStdString(); reading::HasReader(n) &&
+        reading::IsRaster(n) == reading::IsRaster(file.fileName().toStdString()))
     {
       names += name;
     }
