@@ -41,9 +41,11 @@ QImage MakeStrip(const std::string& map, bool reversed)
   return strip;
 }
 
-QString MakeTitle(const std::string& layer, const LightNames& lights)
+// One line about the layer, without the unit that its values have.
+QString MakeHelp(const vtkRelievoLayer& known)
 {
-  return NameLayer(layer, lights) + (IsLength(layer) ? QString(" (%1)").arg(WorldUnits) : "");
+  const QString help = QString::fromStdString(known.Help).remove(QString(", ") + WorldUnits);
+  return help.isEmpty() ? help : help.left(1).toUpper() + help.mid(1) + ".";
 }
 
 // Empty for a layer with a colour strip.
@@ -104,9 +106,15 @@ QString NameLayer(const std::string& layer, const LightNames& lights)
 }
 
 //------------------------------------------------------------------------------
+QString GetUnit(const std::string& layer)
+{
+  return IsLength(layer) ? WorldUnits : "";
+}
+
+//------------------------------------------------------------------------------
 QString AddUnit(const QString& value, const std::string& layer)
 {
-  return IsLength(layer) ? value + " " + WorldUnits : value;
+  return (value + " " + GetUnit(layer)).trimmed();
 }
 
 //------------------------------------------------------------------------------
@@ -131,7 +139,7 @@ LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere, const 
   const vtkRelievoLayer& known =
     ofLight ? vtkRelievoLayerCatalogue::GetOfLight() : vtkRelievoLayerCatalogue::Find(layer);
   LayerWords words;
-  words.Title = MakeTitle(layer, lights);
+  words.Title = NameLayer(layer, lights);
   if (isDrawnHere && stage->GetReasonCode() != "ran")
   {
     words.Words = "Nothing to see: " + QString::fromStdString(stage->GetReason()) + ".";
@@ -142,8 +150,7 @@ LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere, const 
     words.Words = "Nothing to see: no pixel has a value.";
     return words;
   }
-  const QString help = QString::fromStdString(known.Help);
-  words.Words = help.isEmpty() ? help : help.left(1).toUpper() + help.mid(1) + ".";
+  words.Words = MakeHelp(known);
   if (isDrawnHere && stage->GetSame())
   {
     words.Words = ("Nothing to see: all pixels are alike. " + words.Words).trimmed();
@@ -165,6 +172,10 @@ LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere, const 
   };
   words.First = write(range[0], share ? "0" : "the least");
   words.Last = write(range[1], share ? "1" : "the greatest");
+  if (isDrawnHere || given)
+  {
+    words.Last = AddUnit(words.Last, layer);
+  }
   if (named)
   {
     words.First = "in shadow";

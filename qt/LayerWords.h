@@ -18,9 +18,9 @@ namespace relievoQt
 {
 struct LayerWords
 {
-  QString Title; ///< layer and unit
+  QString Title; ///< the layer's name
   QString Words;
-  QString First, Last; ///< values at the strip's ends
+  QString First, Last; ///< values at the strip's ends, the last one with their unit
   QImage Strip;        ///< the colours in a row; null if words suffice
 
   /// All texts, one per line.
@@ -36,6 +36,9 @@ using LightNames = std::map<std::string, std::string>;
 /// The display name: "Shadow of light 0" for shadow_0, or of the light's name if it is among
 /// `lights`; an array's own name.
 QString NameLayer(const std::string& layer, const LightNames& lights = {});
+
+/// The unit of a layer's values; empty if none is known.
+QString GetUnit(const std::string& layer);
 
 /// A layer's value with its unit, if it has a known one.
 QString AddUnit(const QString& value, const std::string& layer);

@@ -23,6 +23,7 @@ RangeEdit::RangeEdit(QWidget* parent)
   , Automatic(new QCheckBox("Automatic", this))
   , Least(new QLineEdit(this))
   , Most(new QLineEdit(this))
+  , Unit(new QLabel(this))
 {
   this->Automatic->setObjectName("automaticRange");
   this->Automatic->setChecked(true);
@@ -32,7 +33,11 @@ RangeEdit::RangeEdit(QWidget* parent)
   this->Most->setToolTip("The value of the last colour");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(this->Automatic);
+  this->Unit->setObjectName("unit");
+  auto* first = new QHBoxLayout();
+  first->addWidget(this->Automatic, 1);
+  first->addWidget(this->Unit);
+  column->addLayout(first);
   auto* both = new QHBoxLayout();
   both->addWidget(this->Least, 1);
   both->addWidget(new QLabel("to", this));
@@ -51,6 +56,12 @@ RangeEdit::RangeEdit(QWidget* parent)
 void RangeEdit::SetAutomaticToolTip(const QString& text)
 {
   this->Automatic->setToolTip(text);
+}
+
+//------------------------------------------------------------------------------
+void RangeEdit::SetUnit(const QString& unit)
+{
+  this->Unit->setText(unit.isEmpty() ? unit : "in " + unit);
 }
 
 //------------------------------------------------------------------------------

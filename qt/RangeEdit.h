@@ -12,6 +12,7 @@
 #include <array>
 
 class QCheckBox;
+class QLabel;
 class QLineEdit;
 
 namespace relievoQt
@@ -24,6 +25,9 @@ public:
   explicit RangeEdit(QWidget* parent = nullptr);
 
   void SetAutomaticToolTip(const QString& text);
+
+  /// The unit of both values; empty: none.
+  void SetUnit(const QString& unit);
 
   /// Empty texts: automatic. Emits no signal.
   void Show(const QString& least, const QString& most);
@@ -41,6 +45,7 @@ private:
 
   QCheckBox* Automatic;
   QLineEdit *Least, *Most;
+  QLabel* Unit;
   QString Given[2];
 };
 }

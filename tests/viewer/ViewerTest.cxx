@@ -263,8 +263,8 @@ void ViewerTest::SendMouse(QEvent::Type type, const QPoint& place, Qt::MouseButt
 vtkSmartPointer<vtkImageData> ViewerTest::RenderCommand()
 {
   const std::string png = this->Path("command.png");
-  return this->RunCommand(this->Window->GetViewSettings(), { "--png", png }) ? ReadPNG(png)
-                                                                             : nullptr;
+  return this->RunCommand(this->Window->GetCopiedSettings(), { "--png", png }) ? ReadPNG(png)
+                                                                               : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -356,7 +356,7 @@ for line in sys.stdin:
     print("done", flush=True)
 )";
   const std::string script =
-    viewer::WritePython(this->Window->GetViewSettings(), this->Path("python.png"));
+    viewer::WritePython(this->Window->GetCopiedSettings(), this->Path("python.png"));
   this->WriteText("shown.py", script);
   if (this->Python.state() == QProcess::NotRunning)
   {

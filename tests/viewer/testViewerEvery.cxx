@@ -160,7 +160,7 @@ private:
     // testViewerPython draws pictures of its programs.
     // Without stages that are there anyway.
     const scene::Settings shown =
-      scene::Settings::FromWords(this->Window->GetViewSettings().GetWords());
+      scene::Settings::FromWords(this->Window->GetCopiedSettings().GetWords());
     QVERIFY2(this->RunPythonForWords() == shown, what.c_str());
 #endif
   }

@@ -463,7 +463,8 @@ private Q_SLOTS:
     auto* box = this->Window->findChild<QComboBox*>("layer");
     for (const auto& [layer, name] : { std::pair("lamp_evaluations", "Lamp evaluations"),
            std::pair("shadow_0", "Shadow of light 0"),
-           std::pair("geometric_normal", "Geometric normal"), std::pair("height", "height") })
+           std::pair("geometric_normal", "Geometric normal"), std::pair("range", "Distance"),
+           std::pair("height", "height") })
     {
       const int row = box->findData(layer);
       QVERIFY2(row >= 0, layer);
@@ -572,22 +573,24 @@ private Q_SLOTS:
     };
     // By default it fits the visible values, with any clipping; or it is as given.
     const QStringList fitted = show("depth").split('\n');
-    QVERIFY(fitted[0].contains("world units"));
-    QVERIFY2(fitted[2].toDouble() > 1.5 && fitted[3].toDouble() < 11.0 &&
-        fitted[2].toDouble() < fitted[3].toDouble(),
-      qPrintable(legend->GetText()));
+    const double ends[] = { fitted[2].toDouble(), fitted[3].section(' ', 0, 0).toDouble() };
+    QVERIFY2(ends[0] > 1.5 && ends[1] < 11.0 && ends[0] < ends[1], qPrintable(legend->GetText()));
+    QVERIFY(fitted[3].endsWith(" world units"));
+    QCOMPARE(legend->GetText().count("world units"), 1);
     auto* range = this->Window->findChild<QWidget*>("shownRange");
+    QCOMPARE(range->findChild<QLabel*>("unit")->text(), QString("in world units"));
     range->findChild<QCheckBox*>("automaticRange")->setChecked(false);
     auto* most = range->findChild<QLineEdit*>("most");
-    QVERIFY(std::abs(most->text().toDouble() - fitted[3].toDouble()) < 0.01);
+    QVERIFY(std::abs(most->text().toDouble() - ends[1]) < 0.01);
     most->setText("12");
     Q_EMIT most->editingFinished();
     this->Window->findChild<QComboBox*>("shownColormap")->setCurrentText("hot");
     this->Grab();
-    QVERIFY2(legend->GetText().endsWith("\n12"), qPrintable(legend->GetText()));
+    QVERIFY2(legend->GetText().endsWith("\n12 world units"), qPrintable(legend->GetText()));
     this->Compare("a layer with a range and colours of its own");
     range->findChild<QCheckBox*>("automaticRange")->setChecked(true);
     QVERIFY2(show("height").endsWith("\n0\n1"), qPrintable(legend->GetText()));
+    QVERIFY(range->findChild<QLabel*>("unit")->text().isEmpty());
     QVERIFY2(show("normal").contains("Red"), qPrintable(legend->GetText()));
     QVERIFY(show("cell").contains("colour of its own"));
     QCOMPARE(

@@ -15,6 +15,7 @@
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
@@ -392,6 +393,8 @@ private Q_SLOTS:
     copy->trigger();
     const QString text = QApplication::clipboard()->text();
     QVERIFY2(text.startsWith("relievo render") && text.contains("--shadows map"), qPrintable(text));
+    auto* said = this->Window->findChild<QLabel*>("words");
+    QCOMPARE(said->text(), QString("Copied: the command that makes this picture"));
     // The command, pasted into a shell, draws the window's picture.
     QProcess shell;
     QProcessEnvironment variables = QProcessEnvironment::systemEnvironment();
@@ -403,6 +406,32 @@ private Q_SLOTS:
     QVERIFY(shell.waitForFinished(600000));
     QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
     QCOMPARE(CountDifferent(this->Grab(), ReadPNG(this->Path("picture.png"))), 0);
+    // With a camera path, it says how to make a film.
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Window->findChild<QAbstractButton*>("addView")->click();
+    }
+    copy->trigger();
+    QVERIFY2(said->text().contains("--camera-path SESSION.json"), qPrintable(said->text()));
+  }
+
+  // Colours of values are left out where no values are shown.
+  void copiesNoIdleColors()
+  {
+    this->Open({ this->WriteScene(), "--colormap", "hot", "--range", "0,2" });
+    const auto getCopied = [this] {
+      this->Window->findChild<QAction*>("copyCommand")->trigger();
+      return QApplication::clipboard()->text();
+    };
+    this->Change([](scene::Settings& settings) { settings.Set("--color-by", "height"); });
+    for (const char* words : { "--range 0,2", "--colormap hot" })
+    {
+      QVERIFY2(getCopied().contains(words), qPrintable(getCopied()));
+    }
+    this->OpenAgain({ this->WriteOBJ(false), "--colormap", "hot", "--range", "0,2" });
+    QVERIFY2(
+      !getCopied().contains("hot") && !getCopied().contains("--range"), qPrintable(getCopied()));
+    this->Compare("a map for no values");
   }
 };
 

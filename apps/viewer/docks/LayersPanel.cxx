@@ -229,6 +229,7 @@ void LayersPanel::ShowSettings()
   const bool given = ends.size() == 2 && ends[0] != ends[1];
   this->Range->Show(given ? QString::fromStdString(ends[0]) : QString(),
     given ? QString::fromStdString(ends[1]) : QString());
+  this->Range->SetUnit(relievoQt::GetUnit(words.toStdString()));
   SetIdle(this->Range, this->ExplainIdle(false));
   for (QWidget* of :
     { static_cast<QWidget*>(this->Colormap), static_cast<QWidget*>(this->Reversed) })

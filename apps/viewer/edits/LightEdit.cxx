@@ -97,9 +97,8 @@ void LightEdit::AddCommon(QFormLayout* rows)
   both->addWidget(this->Angle);
   both->addWidget(this->Radius);
   size->setObjectName("softness");
-  size->setToolTip(
-    "How large it is, a sun's angle in the sky or a lamp's radius in world units: the "
-    "larger, the softer are the edges of its shadows");
+  size->setToolTip("How large it is, a sun's angle in the sky or a lamp's radius: the larger, the "
+                   "softer are the edges of its shadows");
   relievoQt::AddRow(rows, "Softness", size);
   this->Casts = new QCheckBox("Casts shadows", parent);
   this->Casts->setObjectName("casts");

@@ -27,6 +27,7 @@
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -195,6 +196,13 @@ std::optional<std::array<double, 2>> GetColorRange(const Picture& picture)
     }
   }
   return std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+bool HasColorsOfValues(const Picture& picture)
+{
+  return GetColorRange(picture) ||
+    (!picture.IsEmpty() && picture.GetRenderer()->GetVolumes()->GetNumberOfItems() > 0);
 }
 
 //------------------------------------------------------------------------------

@@ -22,6 +22,9 @@ Facts GetFacts(const Picture& picture);
 /// Values of the first and last colour; none: values do not give the colours.
 std::optional<std::array<double, 2>> GetColorRange(const Picture& picture);
 
+/// Whether values give colours: of surfaces, or of volumes.
+bool HasColorsOfValues(const Picture& picture);
+
 /// The layer of the array that gives the colours; empty: no surface has it, only volumes.
 std::string FindColorLayer(const look::LookChoice& look, const Facts& facts);
 

@@ -41,6 +41,10 @@ namespace
 // In the order of their tabs.
 const char* const Panels[] = { "&Scene", "&Light", "L&ook", "La&yers", "&Report", "&Comparison" };
 
+const char* const FilmHint =
+  "; for a film of the camera path, save a session and write --camera-path SESSION.json --video "
+  "film.mp4 instead of --png picture.png";
+
 QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySequence& key,
   const QString& name, const std::function<void()>& run)
 {
@@ -298,13 +302,14 @@ void AddEditMenu(MainWindow* window)
       menu, window, "Copy as &command line", QKeySequence("Ctrl+Shift+C"), "copyCommand", [window] {
         window->GetView()->GetPicture().CheckShown("Copy as command line");
         QApplication::clipboard()->setText(
-          QString::fromStdString(WriteCommand(window->GetViewSettings(), "picture.png")));
-        window->Say("Copied: the command that makes this picture");
+          QString::fromStdString(WriteCommand(window->GetCopiedSettings(), "picture.png")));
+        window->Say(QString("Copied: the command that makes this picture") +
+          (window->CountViews() < 2 ? "" : FilmHint));
       }));
   NeedPicture(window,
     Add(menu, window, "Copy as &Python", QKeySequence("Ctrl+Shift+P"), "copyPython", [window] {
       QApplication::clipboard()->setText(
-        QString::fromStdString(WritePython(window->GetViewSettings(), "picture.png")));
+        QString::fromStdString(WritePython(window->GetCopiedSettings(), "picture.png")));
       window->Say("Copied: the Python program that makes this picture");
     }));
 }

@@ -1222,4 +1222,22 @@ scene::Settings MainWindow::GetViewSettings()
 {
   return this->Shown->GetPicture().GetView(this->Good);
 }
+
+//------------------------------------------------------------------------------
+scene::Settings MainWindow::GetCopiedSettings()
+{
+  scene::Settings settings = this->GetViewSettings();
+  if (!HasColorsOfValues(this->Shown->GetPicture()))
+  {
+    settings.Remove("--colormap");
+    settings.Remove("--range");
+  }
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+std::size_t MainWindow::CountViews() const
+{
+  return this->Path->GetKeys().size();
+}
 }

@@ -100,6 +100,12 @@ public:
   /// The present settings with camera and size.
   scene::Settings GetViewSettings();
 
+  /// Those that make the present picture: no colours of values where values give none.
+  scene::Settings GetCopiedSettings();
+
+  /// The views of the camera path; fewer than two make no film.
+  std::size_t CountViews() const;
+
   /// Shows a message, with options replaced by the names of their controls, until the next one.
   /// Errors appear prominently until they are closed or fixed.
   void Say(const QString& said, bool isTrouble = false);

@@ -147,6 +147,7 @@ void ColorsGroup::AddMap()
   this->Steps->setObjectName("steps");
   this->Steps->setRange(1, MostSteps);
   this->Steps->setSpecialValueText("Smooth");
+  this->Steps->setSuffix(" colours");
   this->Steps->setKeyboardTracking(false);
   this->Steps->setToolTip("Number of colours; smooth: continuous");
   this->Nan->setObjectName("nan");

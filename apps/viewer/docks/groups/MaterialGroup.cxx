@@ -36,9 +36,9 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   this->Heights->setToolTip("Heights from an image: the brightest lie on the mesh");
   this->Depth->setObjectName("depth");
   this->Depth->SetSpecial("automatic");
+  this->Depth->SetUnit("world units");
   this->Depth->setToolTip(
-    "Depth of the lowest heights below the mesh, in world units; default 0.02 of the "
-    "scene's longest side");
+    "Depth of the lowest heights below the mesh; default 0.02 of the scene's longest side");
   rows->addRow("Normal map", this->Normals);
   rows->addRow("Height map", this->Heights);
   rows->addRow("Relief depth", this->Depth);
