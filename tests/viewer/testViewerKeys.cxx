@@ -483,6 +483,7 @@ private Q_SLOTS:
     const std::string second = this->WriteScene("b.vtp");
     const std::string first = this->WritePoints("a.vtp");
     this->WriteText("aa.txt", "no mesh");
+    this->WriteText("ab.tif", "a texture");
     this->Open({ first });
     const auto press = [this](const char* name) {
       this->Window->findChild<QAction*>(name)->trigger();
