@@ -8,16 +8,39 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
+#include <limits>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
 namespace relievo
 {
 namespace
 {
+// Address space that the process may still take (ulimit -v).
+double FreeAddresses()
+{
+#ifdef __linux__
+  rlimit limit = {};
+  double pages = 0.;
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
+    std::ifstream("/proc/self/statm") >> pages)
+  {
+    const double used = pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+    return std::max(static_cast<double>(limit.rlim_cur) - used, 0.);
+  }
+#endif
+  return std::numeric_limits<double>::infinity();
+}
+
 // Infinite if the system does not tell.
 double FreeBytes()
 {
   vtksys::SystemInformation system;
-  double free = FreeBytesOfCgroup();
+  double free = std::min(FreeBytesOfCgroup(), FreeAddresses());
   const auto add = [&free](double available, double used) {
     if (available > 0. && used >= 0.)
     {

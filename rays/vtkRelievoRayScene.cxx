@@ -18,7 +18,9 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoCenteredRays.h"
 #include "vtkRelievoHitColumns.h"
+#include "vtkRelievoMemory.h"
 #include "vtkRelievoMovedPoints.h"
+#include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRayContent.h"
 #include "vtkRelievoRaySceneFile.h"
 #include "vtkRelievoRayTree.h"
@@ -35,6 +37,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <new>
 #include <set>
 #include <sstream>
 #include <string>
@@ -86,6 +89,7 @@ struct vtkRelievoRayScene::Internals : vtkRelievoRayContent
   vtkRelievoRayTree Tree;
 
   bool SetMeshes(bool opaqueOnly);
+  bool Refuse(const std::string& lack);
   void LeaveFile();
   std::uint64_t GetGeometry() const;
   void Write(
@@ -94,7 +98,8 @@ struct vtkRelievoRayScene::Internals : vtkRelievoRayContent
 };
 
 //------------------------------------------------------------------------------
-// Returns whether anything has changed.
+// Returns whether anything has changed. Without memory for the trees the scene is empty, with a
+// fault.
 bool vtkRelievoRayScene::Internals::SetMeshes(bool opaqueOnly)
 {
   std::size_t count = 0;
@@ -120,7 +125,40 @@ bool vtkRelievoRayScene::Internals::SetMeshes(bool opaqueOnly)
         this->File != nullptr);
     }
   }
-  return this->Tree.SetMeshes(this->Meshes);
+  const double bytes = this->Tree.GetBytesToBuild(this->Meshes);
+  const std::string lack = bytes > 0.0 ? relievo::LackOfMemory(bytes, 0.0) : "";
+  if (!lack.empty())
+  {
+    return this->Refuse(lack);
+  }
+  try
+  {
+    return this->Tree.SetMeshes(this->Meshes);
+  }
+  catch (const std::bad_alloc&) // its peak depends on the mesh
+  {
+    return this->Refuse("it would take at least " + std::to_string(static_cast<long long>(bytes)) +
+      " bytes, and memory ran out");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Empties the scene, with a fault.
+bool vtkRelievoRayScene::Internals::Refuse(const std::string& lack)
+{
+  std::set<vtkPolyData*> counted;
+  vtkIdType triangles = 0;
+  for (const vtkRelievoPlacedMesh& placed : this->Meshes)
+  {
+    triangles +=
+      counted.insert(placed.Mesh).second ? vtkRelievoPolygonCut::CountTriangles(placed.Mesh) : 0;
+  }
+  this->Fault = "no tree for rays at " + std::to_string(triangles) + " triangles: " + lack +
+    ". Expected a coarser mesh, or more memory; a part of the work (--part) needs the whole tree";
+  this->Meshes.clear();
+  this->Sources.clear();
+  this->Tree = vtkRelievoRayTree();
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -205,6 +205,13 @@ int vtkRelievoViewFactors::RequestData(
   {
     scene->AddData(vtkDataSet::GetData(inputs[1], i));
   }
+  scene->Update();
+  const std::string fault = scene->GetFault();
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault);
+    return 1;
+  }
   const double before = 1e-7 * mesh->GetLength();
   vtkNew<vtkIntArray> from, to;
   vtkNew<vtkDoubleArray> factors, bounds, areas;

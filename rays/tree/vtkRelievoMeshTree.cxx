@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace
 {
@@ -203,6 +204,27 @@ void vtkRelievoMeshTree::SortPoints()
   this->Corners.Set(std::move(corners));
   this->Points.Set(std::move(points));
   this->Places.Set(std::move(places));
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoMeshTree::GetBytesToBuild(vtkPolyData* data) const
+{
+  const std::vector<vtkMTimeType> times = GetTimes(data);
+  if (this->Times.size() == times.size() &&
+    std::equal(times.begin() + 1, times.end(), this->Times.begin() + 1))
+  {
+    return 0.0;
+  }
+  // Held together while vtkRelievoBoxTree splits all triangles: corners, cells, boxes, two nodes of
+  // 32 bytes for every four triangles, the order, and sorted pairs.
+  constexpr double OfTriangle = 3 * sizeof(std::uint32_t) + sizeof(std::uint32_t) +
+    sizeof(vtkRelievoBoxTree::Box) + 2.0 * sizeof(vtkRelievoBoxTree::Node) / ToALeaf + sizeof(int) +
+    sizeof(std::pair<float, int>);
+  constexpr double OfPoint = sizeof(std::uint32_t) + sizeof(glm::dvec3);
+  const double needed =
+    OfTriangle * static_cast<double>(vtkRelievoPolygonCut::CountTriangles(data)) +
+    OfPoint * static_cast<double>(data->GetNumberOfPoints());
+  return std::max(needed - static_cast<double>(this->GetBytes()), 0.0);
 }
 
 //------------------------------------------------------------------------------

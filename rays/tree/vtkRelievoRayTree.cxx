@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace
 {
@@ -57,6 +58,33 @@ bool vtkRelievoRayTree::UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& me
     }
   }
   return this->MeshesBuilt + this->MeshesRefitted > 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoRayTree::GetBytesToBuild(const std::vector<vtkRelievoPlacedMesh>& meshes) const
+{
+  double peak = 0.0;
+  double kept = 0.0; // by the trees that are built first
+  std::set<Key> counted;
+  for (const vtkRelievoPlacedMesh& mesh : meshes)
+  {
+    const Key key(mesh.Mesh, mesh.ByOutline);
+    const auto found = this->Trees.find(key);
+    const bool isThere = found != this->Trees.end() && found->second.Data == mesh.Mesh;
+    if (!counted.insert(key).second || (isThere && found->second.Fixed))
+    {
+      continue;
+    }
+    const vtkRelievoMeshTree none;
+    const double bytes = (isThere ? *found->second.Triangles : none).GetBytesToBuild(mesh.Mesh);
+    peak = std::max(peak, kept + bytes);
+    if (!isThere)
+    {
+      kept += vtkRelievoMeshTree::LeastBytesOfTriangle *
+        static_cast<double>(vtkRelievoPolygonCut::CountTriangles(mesh.Mesh));
+    }
+  }
+  return peak;
 }
 
 //------------------------------------------------------------------------------

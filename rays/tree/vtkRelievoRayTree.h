@@ -42,6 +42,9 @@ public:
   // changed. The meshes must exist as long as rays are traced.
   bool SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes);
 
+  // Bytes that SetMeshes needs at least, at its peak, beyond those held now.
+  double GetBytesToBuild(const std::vector<vtkRelievoPlacedMesh>& meshes) const;
+
   // Gives the tree of a mesh as it is now, which the next SetMeshes uses instead of building it.
   // `fixed`: the mesh does not change, and need not have the tree's points and cells.
   void SetMeshTree(vtkPolyData* mesh, bool byOutline,

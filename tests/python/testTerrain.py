@@ -6,7 +6,9 @@ gdal_viewshed; GeoTIFF with GDAL."""
 import math
 import pathlib
 import random
+import resource
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -443,6 +445,25 @@ class Files(Folder):
             relievo.terrain(self.folder / "missing.tif")
         with self.assertRaises(OSError):
             terrain.write(self.folder / "missing" / "a.tif", {"a": heights})
+
+    @unittest.skipUnless(sys.platform == "linux", "RLIMIT_AS")
+    def test_lack_of_memory(self):
+        """A mesh, and its tree, are refused before they are made where they do not fit."""
+        level = numpy.zeros((600, 600))
+        terrain = relievo.terrain(level, UTM)
+        before = resource.getrlimit(resource.RLIMIT_AS)
+        for mebibytes, call in (
+            (24, lambda: relievo.terrain(level, UTM)),  # 80 bytes for each cell
+            (40, lambda: relievo.viewshed(terrain, (UTM[2] + 15, UTM[5] - 15, 1))),  # 164
+        ):
+            pages = int(pathlib.Path("/proc/self/statm").read_text().split()[0])
+            taken = pages * resource.getpagesize()
+            resource.setrlimit(resource.RLIMIT_AS, (taken + (mebibytes << 20), before[1]))
+            try:
+                with self.assertRaisesRegex(MemoryError, r"would take \d+ bytes .* has \d+ bytes"):
+                    call()
+            finally:
+                resource.setrlimit(resource.RLIMIT_AS, before)
 
     def test_damaged(self):
         """Cut files, and files with changed bytes, are read or refused."""

@@ -25,6 +25,7 @@
 #include <vtkMatrix4x4.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
+#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -49,10 +50,16 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 #include <random>
 #include <string>
 #include <vector>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
 namespace testRays
 {
@@ -1079,6 +1086,62 @@ void TestRefusals()
   RELIEVO_CHECK(reports.back() < 1. && hits->GetNumberOfRows() == 0);
   RELIEVO_CHECK(scene->FindNearest(many.Origins, many.Directions, hits) && reports.back() == 1.);
 }
+
+#ifdef __linux__
+double GetAddressSpace()
+{
+  double pages = 0.;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+// A tree is refused before it is built if its arrays exceed the address space that is left, and
+// built where they fit.
+void TestMemory()
+{
+  constexpr int Side = 400;
+  constexpr double Triangles = 2. * Side * Side;
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(Side, Side);
+  vtkNew<vtkTriangleFilter> cut;
+  cut->SetInputConnection(plane->GetOutputPort());
+  cut->Update();
+  vtkNew<vtkRelievoRayScene> small, scene;
+  small->AddData(MakeSphere(glm::dvec3(0.), 8));
+  scene->AddData(cut->GetOutput());
+  Rays down;
+  down.Add(glm::dvec3(0.1, 0.2, 1.), glm::dvec3(0., 0., -1.));
+  vtkNew<vtkUnsignedCharArray> hit;
+  RELIEVO_CHECK(small->FindAny(down.Origins, down.Directions, hit)); // threads have their stacks
+  rlimit before = {};
+  getrlimit(RLIMIT_AS, &before);
+  const auto leave = [&before](double bytes) {
+    rlimit less = before;
+    less.rlim_cur = static_cast<rlim_t>(GetAddressSpace() + bytes);
+    RELIEVO_CHECK(setrlimit(RLIMIT_AS, &less) == 0);
+  };
+  bool done = true;
+  {
+    // 68 bytes for each triangle and 28 for each of 401 x 401 points.
+    relievoTest::ExpectMessage expect(
+      "no tree for rays at 320000 triangles: it would take 26262428 bytes (25.0 MiB), and the "
+      "machine has 19200000 bytes");
+    leave(60. * Triangles);
+    done = scene->FindAny(down.Origins, down.Directions, hit);
+    setrlimit(RLIMIT_AS, &before);
+  }
+  RELIEVO_CHECK(!done && scene->GetNumberOfTriangles() == 0);
+#ifndef __SANITIZE_ADDRESS__ // which needs more
+  leave(115. * Triangles);
+  done = scene->FindAny(down.Origins, down.Directions, hit);
+  setrlimit(RLIMIT_AS, &before);
+#else
+  done = scene->FindAny(down.Origins, down.Directions, hit);
+#endif
+  RELIEVO_CHECK(done && hit->GetValue(0) == 1);
+  RELIEVO_CHECK(scene->GetNumberOfTriangles() == static_cast<vtkIdType>(Triangles));
+}
+#endif
 }
 
 //------------------------------------------------------------------------------
@@ -1101,6 +1164,9 @@ RELIEVO_TEST_CASE(testRays)
   TestData();
   TestLimitOfShaders();
   TestRefusals();
+#ifdef __linux__
+  TestMemory();
+#endif
   return session.Result();
 }
 }

@@ -15,6 +15,8 @@ from ..vtk.vtkCommonCore import vtkLogger, vtkObject, vtkObjectBase, vtkOutputWi
 
 _PREAMBLE = re.compile(r"^(ERROR|Warning): In .*, line \d+\n\w+ \(0x[0-9a-f]+\): ")
 
+_NO_MEMORY = re.compile(r"it would take .*\d+ bytes.*, and (the machine has \d+|memory ran out)")
+
 _ECHO = re.compile(r"^Algorithm \w+ \(0x[0-9a-f]+\) returned failure")
 
 
@@ -72,8 +74,10 @@ class Watch:
             warnings.warn(each, RuntimeWarning, stacklevel=3)
 
     def raise_as(self, kind, subject):
-        """Raises kind("subject: the first error") if there was one: the rest are its echoes."""
+        """Raises kind("subject: the first error") if there was one: the rest are its echoes. For a
+        lack of memory raises MemoryError."""
         if self.errors:
+            kind = MemoryError if _NO_MEMORY.search(self.errors[0]) else kind
             raise kind(f"{subject}: {self.errors[0]}")
 
 
