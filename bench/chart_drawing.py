@@ -127,6 +127,8 @@ METHODS = {
     "vtkVoxelModeller": "grey v : voxel modeller",
     # particles on surfaces
     "depth maps": "blue o -", "closest point": "grey x --", "not held": "black s :",
+    # parts of work
+    "measured": "blue o -", "model": "grey x --",
     # bones
     "slerp": "blue o -", "nlerp": "green D --", "key-matrix": "vermillion s -.",
     "linear": "blue o -", "dual quaternion": "green D --", "rigid, GPU": "grey ^ :",

@@ -676,6 +676,18 @@ def irradiation(rows):
                default=lambda row: row["method"] == "tolerance" and row["setting"] == "1"))
 
 
+@bench("scaling-out.csv")
+def scaling_out(rows):
+    """Parts of one job, by bench/scaling_out.py."""
+    rows = [row for row in rows if row["subject"] == "part"]
+    yield Chart(
+        "scaling-out", "One part of hours of sun: processor time",
+        "Lower is better. Part 1, with a shared file of the tree. The model is a + b / processes.",
+        Axis("processes, each with one part", True, numbers(rows, "number")),
+        Axis("processor seconds"),
+        panels(rows, "number", "processor seconds", panel=None))  # fmt: skip
+
+
 @bench("viewshed.csv")
 def viewshed(rows):
     """Time of viewsheds, and their differences from lines of sight, by bench/viewshed.py."""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cost of files of ray trees, many views of one scene, data sets, and choosing camera places.
+"""Cost of files of ray trees, parts, many views of one scene, data sets, and camera places.
 
     python bench/scaling_out.py [--small] [--rounds N] >scaling-out.csv
 
@@ -9,6 +9,9 @@ Needs the package relievo in PYTHONPATH, numpy, and a display (tools/with-displa
 - start: a ray tree of a bumpy ring, built from the mesh, or opened from its file, alone or with the
   mesh, for one process; `bytes` per triangle of the file. The column `MiB` has the proportional set
   size of each of eight processes that hold the file, less that without it (Linux).
+- part: `relievo sun` of a bumpy ring for a day, part 1 of `number`, with a file of the tree. `MiB`
+  is the process's own memory at its peak, without the file, which all parts share. The rows of the
+  model are a + b / number, fitted to the processor seconds by least squares.
 - view: depth of a sphere in 64 x 64 pixels, by calls of capture(), one for each view, or by
   capture_many(), drawn, or by rays with a Pinhole; per view. `other cells` is the share of pixels
   with a cell that differs from the drawn one.
@@ -30,7 +33,9 @@ import sys
 import tempfile
 
 import numpy
+import processes
 import relievo
+from relievo._scene.program import program
 from relievo.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from relievo.vtk.vtkCommonCore import vtkPoints
 from relievo.vtk.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -42,7 +47,7 @@ from relievo.vtk.vtkFiltersSources import (
     vtkSphereSource,
 )
 from relievo.vtk.vtkRenderingCore import vtkActor, vtkCamera, vtkPolyDataMapper, vtkRenderer
-from scale import torus
+from scale import torus, write_ply
 
 COLUMNS = ("subject", "method", "triangles", "number", "processor seconds", "bytes", "MiB",
            "other cells")  # fmt: skip
@@ -111,6 +116,28 @@ def starts(write, triangles, rounds):
             write("start", method, count, 1, taken,
                   f"{os.path.getsize(path) / count:.1f}" if alone else "",
                   f"{set_size(path) - set_size():.1f}" if alone else "", "")  # fmt: skip
+
+
+def parts(write, triangles, rounds):
+    points, cells = torus(triangles)
+    numbers = numpy.array([1, 2, 4, 8, 16])
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        write_ply(folder / "ring.ply", points, cells)
+        words = [program(), "sun", folder / "ring.ply", "--place", "48.2,16.4", "--dates",
+                 "2026-06-21", "--rays", folder / "ring.rays"]  # fmt: skip
+        processes.run([*words, "--step", "240", "-o", folder / "first.vtp"])  # writes the tree
+        measured = []
+        for number in numbers:
+            taken = [processes.run([*words, "-o", folder / f"{number}-{each}.vtp", "--part",
+                                    f"1/{number}"], peak=True) for each in range(rounds)]
+            measured.append(min(each.processor for each in taken))
+            write("part", "measured", len(cells), number, measured[-1], "",
+                  f"{min(each.peak for each in taken) / 2**20:.1f}", "")  # fmt: skip
+    model = numpy.vander(1 / numbers, 2)
+    fitted = model @ numpy.linalg.lstsq(model, numpy.array(measured), rcond=None)[0]
+    for number, taken in zip(numbers, fitted, strict=True):
+        write("part", "model", len(cells), number, taken, "", "", "")
 
 
 def views(write, triangles, number, rounds):
@@ -251,6 +278,7 @@ def main():
 
     for triangles in (20_000,) if given.small else (1_000_000, 10_000_000):
         starts(write, triangles, 1 if triangles > 1_000_000 else given.rounds)
+    parts(write, 2_000 if given.small else 300_000, 1 if given.small else 2)
     for triangles in (1_000,) if given.small else (1_000, 100_000):
         number = 1000 if triangles == 1_000 else 100
         views(write, triangles, 20 if given.small else number, given.rounds)

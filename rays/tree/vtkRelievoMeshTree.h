@@ -31,8 +31,8 @@ public:
   // No ray hits a triangle with a corner that is not finite. The rule of the first call is kept.
   bool Update(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule);
   bool WasRefitted() const { return this->Refitted; } // in the last update
-  // Bytes that Update needs at least, at its peak and beyond those held now, to build the tree; 0 if
-  // the tree is kept or refitted.
+  // Bytes that Update needs at least, at its peak and beyond those held now, to build the tree; 0
+  // for a tree that is kept or refitted.
   double GetBytesToBuild(vtkPolyData* data) const;
   // That a built tree has at least for each triangle: three corners, a cell, and a share of a node.
   static constexpr double LeastBytesOfTriangle = 24.0;

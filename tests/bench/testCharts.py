@@ -39,7 +39,7 @@ UNSHOWN = {
     "blocks-labels", "blocks-labels-vtk97", "blocks-threads", "blocks-vtk97", "capture",
     "command-start", "compare-faults", "compare-frames",
     "environment-frames", "lamp-shadows", "lights-peer", "many-frames", "normal-maps",
-    "paraview-frames", "planner-cases", "relief-geometry", "scaling-out", "shadow-frames", "tone",
+    "paraview-frames", "planner-cases", "relief-geometry", "shadow-frames", "tone",
     "tone-dither", "tone-frames", "volume-frames",
 }  # fmt: skip
 
@@ -325,6 +325,8 @@ TRUTH = {
         lambda row: row["method"] == "tolerance" and row["setting"] == "1", is_irradiation)
     + points("irradiation", "[scene]", "bound", "[processor milliseconds]", "[largest bound %]",
              None, lambda row: is_irradiation(row) and row["largest bound %"]),
+    "scaling-out": points("scaling-out", "", "[method]", "[number]", "[processor seconds]", None,
+                          lambda row: row["subject"] == "part"),
     "viewshed": points("viewshed", "", "[method]", millions, "[processor seconds]"),
     "viewshed-difference":
         points("viewshed", "through the triangles", "[method]", millions,

@@ -104,10 +104,15 @@ class ScalingOut(unittest.TestCase):
                               stdout=subprocess.PIPE, text=True, check=True)  # fmt: skip
         rows = list(csv.DictReader(done.stdout.splitlines()))
         self.assertEqual([row["subject"] for row in rows],
-                         ["start"] * 3 + ["view"] * 4 + ["data set"] * 3 + ["cover"])  # fmt: skip
+                         ["start"] * 3 + ["part"] * 10 + ["view"] * 4
+                         + ["data set"] * 3 + ["cover"])  # fmt: skip
         self.assertTrue(all(float(row["processor seconds"]) > 0 for row in rows))
         self.assertAlmostEqual(float(rows[1]["bytes"]), 48, delta=3)  # of 12 + 4 + 12 + 2 + a node
-        self.assertLess(float(rows[6]["other cells"]), 0.01)  # at edges alone
+        measured, model = (
+            sum(float(row["processor seconds"]) for row in rows if row["method"] == each)
+            for each in ("measured", "model"))
+        self.assertAlmostEqual(measured / model, 1, delta=0.02)  # least squares with a constant
+        self.assertLess(float(rows[16]["other cells"]), 0.01)  # at edges alone
 
 
 class ManyFrames(unittest.TestCase):

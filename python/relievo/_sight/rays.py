@@ -258,9 +258,10 @@ def rays(*things) -> Rays:
         None.
 
     Returns Rays. Raises ValueError for wrong arguments, also for a file that is damaged or of
-    another scene, and OSError for a file that cannot be opened. All functions that follow rays raise
-    MemoryError if the tree of their meshes does not fit into the memory left. A renderer's props that rays do not
-    support (volumes, lines, points, wireframes, cut-outs) are left out with a warning.
+    another scene, and OSError for a file that cannot be opened. All functions that follow rays
+    raise MemoryError if the tree of their meshes does not fit into the memory left. A renderer's
+    props that rays do not support (volumes, lines, points, wireframes, cut-outs) are left out
+    with a warning.
     """
     if not things:
         raise ValueError(f"rays: got nothing, expected {_EXPECTED}")
