@@ -58,6 +58,7 @@ _PARAMETERS = {
     "fixed": "Sequence[Any]",
     "frame": "Any",
     "groups": "ArrayLike | str",
+    "heights": f"ArrayLike | {_PATH}",
     "image": "Any",  # also PyVista's
     "irradiance": "bool | str",  # off
     "last": "datetime.date | str | None",
@@ -70,7 +71,9 @@ _PARAMETERS = {
     "name": "str",
     "names": "dict[Any, str] | None",
     "near": "float | None",
+    "nodata": "float | None",
     "objects": "Any",
+    "observers": "ArrayLike",
     "occluders": "Any",
     "options": "Any",
     "parameters": "Any",
@@ -88,6 +91,7 @@ _PARAMETERS = {
     "thing": "Any",
     "things": "Any",
     "time_zone": "float | None",
+    "transform": "Sequence[float] | None",
     "unit": "str | None",
     "values": "ArrayLike | dict[str, ArrayLike]",
     "vary": "Callable[[int, numpy.random.Generator], dict[str, Any] | None] | None",

@@ -3,7 +3,7 @@
 """Terrains whose heights are a raster of the world: their mesh, and values on their grid."""
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy
 from numpy.typing import ArrayLike
@@ -104,8 +104,7 @@ def _signed(kind):
     return kind if kind.kind == "f" else numpy.promote_types(kind, numpy.int16)
 
 
-def terrain(heights: ArrayLike | str | os.PathLike, transform: Sequence[float] | None = None,
-            nodata: float | None = None) -> Terrain:
+def terrain(heights, transform=None, nodata=None) -> Terrain:
     """Returns a Terrain: the triangles of a raster of heights, and its grid.
 
         with rasterio.open("dem.tif") as src:
