@@ -71,6 +71,9 @@ constexpr int SamplesOfVolumes = 4;
 // Size of points in clouds, visible on a light background.
 constexpr double PointSize = 4.0;
 
+// The name of the light of preset nights in reports.
+const char* const MoonName = "moon";
+
 // From the upper right: shows three sides of a box.
 constexpr std::array<double, 3> ThreeQuarter = { 0.5, 0.4, 1.0 };
 
@@ -128,7 +131,7 @@ void AddMoon(RenderOptions& options, const Preset& preset)
       [](const LightChoice& light) { return light.IsNight(); });
   if (dark && preset.Night != Preset::Always)
   {
-    LightChoice moon = MakeSun(preset.Towards, { 0.26, 0.32, 0.44 }, "moon");
+    LightChoice moon = MakeSun(preset.Towards, { 0.26, 0.32, 0.44 }, MoonName);
     moon.Casts = true;
     options.Lights.push_back(moon);
   }
@@ -242,6 +245,15 @@ void OwnKeyLight(Settings& settings, int upAxis)
   }
   lights.push_back(WriteLight(words));
   settings.SetAll("--light", lights);
+}
+
+//------------------------------------------------------------------------------
+bool HasMoon(const Settings& settings)
+{
+  const std::vector<LightChoice> lights = settings.Parse().Lights;
+  const std::size_t own = std::min(settings.GetAll("--light").size(), lights.size());
+  return std::any_of(lights.begin() + static_cast<std::ptrdiff_t>(own), lights.end(),
+    [](const LightChoice& light) { return light.Name == MoonName; });
 }
 
 //------------------------------------------------------------------------------

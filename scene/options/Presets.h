@@ -46,6 +46,9 @@ std::string WriteKeyLight(const Settings& settings, int upAxis);
 void OwnKeyLight(Settings& settings, int upAxis);
 ///@}
 
+/// Whether the preset adds a moon, because all lights of --light are suns below the horizon.
+bool HasMoon(const Settings& settings);
+
 /// Fills in the preset's values for options that were not given. Throws UsageError for a --fill
 /// without effect.
 void ApplyPreset(RenderOptions& options, const std::set<std::string>& given);

@@ -438,6 +438,26 @@ private Q_SLOTS:
     this->Compare("from beneath");
   }
 
+  // The light of a preset's nights is in the list, and where the chosen light is gone, one that is
+  // on is chosen instead of the preset's key light, which is off.
+  void moon()
+  {
+    this->Open({ this->WriteScene(), "--preset", "town", "--light", "sun:2026-06-21T12:00Z,48,0",
+      "--light", "point:1,2,3" });
+    this->Select(1);
+    this->Change([](scene::Settings& settings) {
+      settings.SetAll("--light", { "sun:2026-06-21T00:30Z,48,0" });
+    });
+    QCOMPARE(this->GetRows(),
+      (QStringList{
+        "light 0|sun, night", "town: key light|sun, off", "town: moon|sun", "town: fill|4 suns" }));
+    QCOMPARE(this->GetList()->currentIndex().row(), 0);
+    this->Change([](scene::Settings& settings) {
+      settings.SetAll("--light", { "sun:2026-06-21T12:00Z,48,0" });
+    });
+    QCOMPARE(this->GetRows().size(), 3);
+  }
+
   // Sessions keep that the sun stands by date, also those that said it beside the words.
   void sessions()
   {

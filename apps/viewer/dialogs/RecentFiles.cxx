@@ -28,8 +28,16 @@ QString GetLabel(const QString& path, const QStringList& all)
 //------------------------------------------------------------------------------
 QString GetLastFolder()
 {
-  const QStringList paths = QSettings().value(Key).toStringList();
-  return paths.isEmpty() ? QString() : QFileInfo(paths.front()).path();
+  for (const QString& path : QSettings().value(Key).toStringList())
+  {
+    // Qt would offer the name of a folder that is gone as that of a file.
+    const QString folder = QFileInfo(path).path();
+    if (QFileInfo(folder).isDir())
+    {
+      return folder;
+    }
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------

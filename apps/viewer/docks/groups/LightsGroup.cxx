@@ -220,6 +220,14 @@ void LightsGroup::AddPresets(std::vector<Row>& rows, bool own) const
     key.Tip = own ? "Off: your own lights are in its place"
                   : "This light belongs to the preset. Edit it to make your own copy";
     rows.push_back(key);
+    if (scene::HasMoon(this->Edited->Get()))
+    {
+      Row moon;
+      moon.Name = name + ": moon";
+      moon.Kind = "sun";
+      moon.Tip = "A weak light while your suns are below the horizon";
+      rows.push_back(moon);
+    }
     Row fill;
     fill.Name = name + ": fill";
     fill.Kind = "4 suns";
@@ -262,7 +270,9 @@ void LightsGroup::ShowSettings()
 void LightsGroup::ShowList(const std::vector<Row>& rows)
 {
   const QSignalBlocker quiet(this->List);
-  const int current = std::max(0, this->List->indexOfTopLevelItem(this->List->currentItem()));
+  const auto current = static_cast<std::size_t>(
+    std::max(0, this->List->indexOfTopLevelItem(this->List->currentItem())));
+  const QString name = current < this->Rows.size() ? this->Rows[current].Name : QString();
   this->Rows = rows;
   this->List->clear();
   for (const Row& row : rows)
@@ -286,8 +296,14 @@ void LightsGroup::ShowList(const std::vector<Row>& rows)
       item->setForeground(column, this->palette().brush(QPalette::Disabled, QPalette::Text));
     }
   }
-  this->List->setCurrentItem(
-    this->List->topLevelItem(std::min(current, this->List->topLevelItemCount() - 1)));
+  // A light that is off is not selected in place of one that is gone: its fields are all grey.
+  std::size_t next = std::min(current, rows.size() - 1);
+  if (!rows[next].IsOn && rows[next].Name != name)
+  {
+    const auto on = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.IsOn; });
+    next = on != rows.end() ? static_cast<std::size_t>(on - rows.begin()) : next;
+  }
+  this->List->setCurrentItem(this->List->topLevelItem(static_cast<int>(next)));
 }
 
 //------------------------------------------------------------------------------
