@@ -13,6 +13,7 @@ import re
 import struct
 import sys
 import tempfile
+import types
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "standin"))
@@ -44,6 +45,12 @@ ELSEWHERE = re.compile(
 CUBE = """v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1
 f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8
 """
+
+
+# A raster as rasterio opens it, with the observers of the pages in it.
+DEM = types.SimpleNamespace(
+    read=lambda _: numpy.random.default_rng(4).random((60, 60)),
+    transform=(10, 0, 689800, 0, -10, 5336600), nodata=None)  # fmt: skip
 
 
 def pages():
@@ -136,6 +143,8 @@ class Hand:
             "frame": self.frame, "shadows": self.shadows, "ball": ball,
             "times": (0.0, 0.5), "lantern": points((0, 0, 1)),
             "heights": numpy.random.default_rng(1).random((16, 16), numpy.float32),
+            "rasterio": types.SimpleNamespace(open=lambda _: contextlib.nullcontext(DEM)),
+            "src": DEM,
         }  # fmt: skip
         for name in ("street_lamps", "swamps", "mist", "wells", "sites"):
             self.names[name] = points((-1, 0, 0), (1, 0, 0))
@@ -232,6 +241,8 @@ class Snippets(unittest.TestCase):
         layers = {"depth": numpy.ones((4, 6), numpy.float32),
                   "normal": numpy.zeros((4, 6, 3), numpy.float32)}  # fmt: skip
         relievo.write_exr("frame.exr", relievo.to_image(layers))
+        dem = relievo.terrain(DEM.read(1), DEM.transform)
+        dem.write("dem.tif", {"height": dem.heights})
 
     def test_pages(self):
         found = pages()
