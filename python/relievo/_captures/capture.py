@@ -137,8 +137,8 @@ def capture_many(renderer, cameras, layers=("depth",), size=None, hdr=False) -> 
     Returns a dict of arrays by layer, (n, rows, columns) or (n, rows, columns, components), ROW 0
     AT THE TOP, which equal those of n calls of capture() bit for bit. The window and the scene are
     prepared once for all views, and layers of surfaces are drawn together and read at once. Raises
-    as capture(), ValueError without cameras, and MemoryError for more views than fit into the memory
-    left.
+    as capture(), ValueError without cameras, and MemoryError for more views than fit into the
+    memory left.
     """
     layers = _names(layers)
     given, cameras = cameras, list(cameras) if isinstance(cameras, Iterable) else []
