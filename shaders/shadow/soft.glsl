@@ -19,11 +19,12 @@ uniform vec2 relievoShadowPartStep; // whole numbers
 // all steps in software.
 uniform float relievoShadowSteps; // a whole number
 
+// Texels without casters are deeper than all receivers, of which some are beyond the far plane.
 float relievoShadowDepthAt(int layer, ivec2 texel)
 {
   ivec2 inside = clamp(texel, ivec2(0), ivec2(int(relievoShadowSize) - 1));
   float depth = texelFetch(relievoShadowMaps, ivec3(inside, layer), 0).r;
-  return inside == texel ? depth : 1.0;
+  return inside == texel && depth < 1.0 ? depth : 1e9;
 }
 
 // Of the part that the present pixel's cell has.

@@ -112,6 +112,16 @@ class Studio(CliTest):
             lights = numpy.concatenate(lights)
             self.assertGreater(lights.min(), 0.35 * lights.max(), preset)
 
+    def test_ground_beyond_the_casters(self):
+        """Soft shadows of all samples at once leave ground lit that is beyond the sun's map."""
+        self.box("pole.obj", (-0.5, 0, -0.5), (0.5, 5, 0.5))
+        pictures = []
+        for words in ([], ["--stage", "antialias:samples=1"]):  # samples one by one
+            self.relievo("render", "pole.obj", "--preset", "studio", "--size", "160x120",
+                         "--camera", "20,20,20,2,0,0,0,1,0", *words, "--png", "a.png")
+            pictures.append(read_png(self.folder / "a.png")[:, 100:, :3].astype(int))
+        self.assertLessEqual(numpy.abs(pictures[0] - pictures[1]).max(), 3)
+
     def test_contact(self):
         """The foot of a pole is darker than its top, on the side that the first light misses; not
         where the fill's occlusion is off."""
