@@ -161,6 +161,32 @@ class Package(unittest.TestCase):
             with self.subTest(name):
                 self.assertRaises((ValueError, OSError), call)
 
+    def test_names_of_arguments(self):
+        """Arguments in a wrong order, and of wrong types: the error names the argument."""
+        renderer = scenes.plane_and_sphere()
+        image = relievo.capture(renderer, ["depth"], (30, 20))
+        camera, heights = renderer.GetActiveCamera(), numpy.random.default_rng(1).random((4, 4))
+        terrain = relievo.terrain(heights, (1, 0, 0, 0, -1, 4))
+        for name, call in (
+            ("directory", lambda: relievo.write_dataset(renderer, "folder", [camera])),
+            ("description", lambda: relievo.write_dataset(renderer, camera, "a", description=5)),
+            ("objects", lambda: relievo.write_dataset(renderer, camera, "a", objects=5)),
+            ("path", lambda: relievo.write_baseline(renderer, "a.exr")),
+            ("path", lambda: relievo.compare(image, image).write_html(image)),
+            ("path", lambda: relievo.write_gltf(renderer, "a.glb")),
+            ("path", lambda: relievo.write_exr(image, "a.exr")),
+            ("path", lambda: relievo.write_png(image, "a.png")),
+            ("path", lambda: relievo.read_exr(image)),
+            ("path", lambda: relievo.show(image, "depth", image)),
+            ("path", lambda: relievo.rays(terrain.dataset).write(None)),
+            ("path", lambda: terrain.write({"a": heights}, "a.tif")),
+            ("rasters", lambda: terrain.write("a.tif", heights)),
+            ("nodata", lambda: relievo.terrain(heights, terrain.transform, "none")),
+            ("files", lambda: relievo.scene(renderer)),
+        ):  # fmt: skip
+            with self.subTest(name), self.assertRaisesRegex(ValueError, f"^{name}: got .*expected"):
+                call()
+
     def test_without_display_of_warnings(self):
         """vtkObject.GlobalWarningDisplayOff() silences VTK but not exceptions, and stays."""
         renderer = scenes.plane_and_sphere()

@@ -89,6 +89,14 @@ def check_file(path):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), path)
 
 
+def path_of(thing, argument):
+    """The text or bytes of a path; or ValueError."""
+    try:
+        return os.fspath(thing)
+    except TypeError:
+        raise ValueError(f"{argument}: got {describe(thing)}, expected a path") from None
+
+
 def is_a(thing, class_name):
     """Whether thing is an object of this class, in the VTK that Relievo is built on."""
     return isinstance(thing, vtkObjectBase) and bool(thing.IsA(class_name))

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy
 
-from .._arguments.errors import Watch, check_file, is_a
+from .._arguments.errors import Watch, check_file, is_a, path_of
 from .._arguments.renderers import renderer_of
 from .._frames.keep import kept
 from .._images.exr import write_exr
@@ -168,13 +168,14 @@ def write_baseline(path, thing, size=None, names=None, portable=False) -> None:
     Raises ValueError for wrong arguments, OSError if the file cannot be written, RuntimeError if
     the frame cannot be drawn.
     """
-    if os.path.splitext(os.fspath(path))[1].lower() not in (".exr", b".exr"):
-        raise ValueError(f"path: got {os.fspath(path)!r}, expected a name that ends in .exr")
+    path = path_of(path, "path")
+    if os.path.splitext(path)[1].lower() not in (".exr", b".exr"):
+        raise ValueError(f"path: got {path!r}, expected a name that ends in .exr")
     write_exr(path, _drawn(thing, size, names, portable))
 
 
 def _write(path, text):
-    with open(os.fspath(path), "w", encoding="utf-8") as file:
+    with open(path_of(path, "path"), "w", encoding="utf-8") as file:
         file.write(text)
 
 

@@ -5,11 +5,12 @@
 import inspect
 import json
 import os
+from collections.abc import Iterable
 from contextlib import nullcontext
 
 import numpy
 
-from .._arguments.errors import Watch, describe, is_a
+from .._arguments.errors import Watch, describe, is_a, path_of
 from .._arguments.parameters import (
     bind,
     defaults_of,
@@ -52,11 +53,15 @@ def write_dataset(*arguments, **given):
     made, _ = renderer_of(given["renderer"])
     writer = vtkRelievoDatasetWriter()
     writer.SetRenderer(made)
-    writer.SetDirectory(os.fspath(given["directory"]))
+    writer.SetDirectory(path_of(given["directory"], "directory"))
     for keyword, name in _OF_WRITER.items():
         if given[keyword] is not None:
             set_value("write_dataset", writer, name, given[keyword], keyword)
-    writer.SetDescription(given["description"])
+    try:
+        writer.SetDescription(given["description"])
+    except TypeError:
+        raise ValueError(f"description: got {describe(given['description'])}, expected a text"
+                         ) from None
     views = given["views"]
     if views is not None:
         try:
@@ -193,7 +198,7 @@ def _name_objects(writer, renderer, objects):
             raise ValueError(f"objects: got {objects!r}, expected 'actor', 'block', or names")
         writer.SetObjectsByBlock(objects == "block")
         return
-    names = list(objects)
+    names = list(objects) if isinstance(objects, Iterable) else [objects]
     count = renderer.GetActors().GetNumberOfItems()
     wrong = [name for name in names if not (name is None or isinstance(name, str))]
     if len(names) != count or wrong:

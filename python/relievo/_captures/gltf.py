@@ -5,7 +5,7 @@
 import os
 from contextlib import nullcontext
 
-from .._arguments.errors import Watch
+from .._arguments.errors import Watch, path_of
 from .._arguments.renderers import renderer_of
 from .._frames.keep import kept
 from ..vtkRelievoScene import vtkRelievoGltfWriter
@@ -35,14 +35,15 @@ def write_gltf(path, thing, up=None, names=None, check=True) -> list:
     Raises ValueError for wrong arguments, OSError if the file cannot be written, RuntimeError if
     nothing can be exported, or if the file differs from the scene.
     """
-    if os.path.splitext(os.fspath(path))[1].lower() not in (".glb", b".glb"):
-        raise ValueError(f"path: got {os.fspath(path)!r}, expected a name that ends in .glb")
+    path = path_of(path, "path")
+    if os.path.splitext(path)[1].lower() not in (".glb", b".glb"):
+        raise ValueError(f"path: got {path!r}, expected a name that ends in .glb")
     if up is not None and up not in tuple(_AXES):
         raise ValueError(f"up: got {up!r}, expected 'x', 'y' or 'z'")
     renderer, made = renderer_of(thing)
     writer = vtkRelievoGltfWriter()
     writer.SetRenderer(renderer)
-    writer.SetFileName(os.fspath(path))
+    writer.SetFileName(path)
     writer.SetCheck(bool(check))
     name_objects(writer, renderer, thing, names)
     found = kept(renderer)
@@ -58,7 +59,7 @@ def write_gltf(path, thing, up=None, names=None, check=True) -> list:
     if not written:
         system = writer.GetSystemError()
         if system:
-            raise OSError(system, os.strerror(system), os.fspath(path))
+            raise OSError(system, os.strerror(system), path)
         watch.raise_as(RuntimeError, "write_gltf")
         raise RuntimeError("write_gltf: failed without a message")
     return [writer.GetNote(i) for i in range(writer.GetNumberOfNotes())]

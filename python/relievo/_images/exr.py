@@ -6,7 +6,7 @@ import os
 
 import numpy
 
-from .._arguments.errors import Watch, check_file, require
+from .._arguments.errors import Watch, check_file, path_of, require
 from ..vtk.vtkCommonDataModel import vtkImageData
 from ..vtkRelievoIO import vtkRelievoEXRReader, vtkRelievoEXRWriter
 from .image import to_image
@@ -45,9 +45,10 @@ def write_exr(path, image, compression="zip", pixel_types=None) -> None:
     Raises ValueError for a wrong argument or for values that a pixel type cannot hold, OSError if
     the file cannot be written (its errno says why: ENOSPC on a full disk, for example).
     """
-    suffix = os.path.splitext(os.fspath(path))[1].lower()
+    path = path_of(path, "path")
+    suffix = os.path.splitext(path)[1].lower()
     if suffix in _OTHERS:
-        raise ValueError(f"path: got {os.fspath(path)!r}, expected an OpenEXR file, .exr; "
+        raise ValueError(f"path: got {path!r}, expected an OpenEXR file, .exr; "
                          f"relievo.write_png() writes PNG files")
     if isinstance(image, (dict, numpy.ndarray)):
         image = to_image(image, "color")
@@ -66,14 +67,14 @@ def write_exr(path, image, compression="zip", pixel_types=None) -> None:
                 )
             writer.SetPixelType(name, _PIXEL_TYPES[kind])
         watch.raise_as(ValueError, "pixel_types")
-        writer.SetFileName(os.fspath(path))
+        writer.SetFileName(path)
         writer.SetInputData(image)
         written = writer.Write()
     if not written:
         system = writer.GetSystemError()
         if system:
-            raise OSError(system, os.strerror(system), os.fspath(path))
-        raise _refusal(watch, writer, os.fspath(path))
+            raise OSError(system, os.strerror(system), path)
+        raise _refusal(watch, writer, path)
 
 
 def read_exr(path) -> vtkImageData:
@@ -91,7 +92,7 @@ def read_exr(path) -> vtkImageData:
     Raises FileNotFoundError or another OSError if the file cannot be opened, ValueError if it is
     not a complete OpenEXR file.
     """
-    name = os.fspath(path)
+    name = path_of(path, "path")
     check_file(name)
     reader = vtkRelievoEXRReader()
     reader.SetFileName(name)

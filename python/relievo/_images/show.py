@@ -11,6 +11,7 @@ import zlib
 
 import numpy
 
+from .._arguments.errors import path_of
 from .image import layer, layer_names
 from .picture import picture_of, png_of
 
@@ -25,7 +26,7 @@ class Page:
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """Writes the page, which needs no other file and no network."""
-        with open(os.fspath(path), "w", encoding="utf-8") as file:
+        with open(path_of(path, "path"), "w", encoding="utf-8") as file:
             file.write(self._text)
 
     def _repr_html_(self):

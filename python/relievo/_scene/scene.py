@@ -12,7 +12,7 @@ import warnings
 from collections.abc import Sequence
 from typing import Any
 
-from .._arguments.errors import Watch, check_file, require
+from .._arguments.errors import Watch, check_file, path_of, require
 from .._wrapped import vtkRelievoPass, vtkRelievoScene
 from ..vtk.vtkCommonCore import vtkStringArray
 from ..vtk.vtkRenderingCore import vtkRenderer, vtkRenderWindow
@@ -80,7 +80,7 @@ class Scene:
 
     def __init__(self, files: Sequence[str | os.PathLike[str]], options: dict[str, Any]) -> None:
         self._scene = vtkRelievoScene()
-        self._files = [os.fsencode(path) for path in files]
+        self._files = [os.fsencode(path_of(path, "files")) for path in files]
         self._options: dict[str, Any] = {}
         self._logged: list[str] = []
         self._stale = True

@@ -10,7 +10,7 @@ import numpy
 from numpy.typing import ArrayLike
 
 from .._arguments.data import EXPECTED, data_of
-from .._arguments.errors import Watch, check_file, describe, is_a
+from .._arguments.errors import Watch, check_file, describe, is_a, path_of
 from .._arguments.renderers import inner_renderer, prop_of
 from ..vtk.util.misc import calldata_type
 from ..vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -154,10 +154,11 @@ class Rays:
         order. Raises ValueError for a scene that rays cannot follow, OSError if the file cannot be
         written.
         """
+        path = path_of(path, "path")
         none = numpy.empty((0, 3))
         self.any(none, none)  # raises for such a scene
         with Watch(self.scene) as watch:
-            self.scene.Write(os.fspath(path))
+            self.scene.Write(path)
         watch.raise_as(OSError, "rays")
 
     def _add(self, thing):

@@ -9,7 +9,7 @@ import numpy
 from numpy.typing import ArrayLike
 
 from .._arguments.data import need_data
-from .._arguments.errors import Watch, check_file, describe
+from .._arguments.errors import Watch, check_file, describe, path_of
 from ..vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from ..vtk.vtkCommonDataModel import vtkImageData, vtkPolyData
 from ..vtkRelievoFilters import vtkRelievoTerrain
@@ -70,12 +70,15 @@ class Terrain:
         with the terrain's place and, if it was read from a file, its coordinate system. Cells
         without a height, and masked ones, are written as `nodata`. Raises ValueError for wrong
         arguments, OSError for a path that cannot be written."""
+        path = path_of(path, "path")
+        if not isinstance(rasters, Mapping):
+            raise ValueError(f"rasters: got {describe(rasters)}, expected a dict of arrays by name")
         mesh = vtkPolyData()
         mesh.ShallowCopy(self.dataset)
         cells = mesh.GetPointData().GetArray("raster_cell")
         mesh.GetPointData().Initialize()  # without arrays of the caller
         mesh.GetPointData().AddArray(cells)
-        for name, values in dict(rasters).items():
+        for name, values in rasters.items():
             if name == "raster_cell":
                 raise ValueError(f"rasters: got the name {name!r}, which is that of the cells' "
                                  f"numbers, expected another one")
@@ -92,7 +95,7 @@ class Terrain:
         if mesh.GetPointData().GetNumberOfArrays() == 1:
             raise ValueError("rasters: got none, expected at least one array by its name")
         writer = vtkRelievoGeoTIFFWriter()
-        writer.SetFileName(os.fspath(path))
+        writer.SetFileName(path)
         writer.SetInputDataObject(mesh)
         with Watch(writer) as watch:
             writer.Write()
@@ -158,7 +161,10 @@ def terrain(heights, transform=None, nodata=None) -> Terrain:
     image.GetPointData().SetScalars(scalars)
     fields = {"raster_transform": numbers}
     if nodata is not None:
-        fields["raster_nodata"] = numpy.array([nodata], float)
+        try:
+            fields["raster_nodata"] = numpy.array([float(nodata)])
+        except (TypeError, ValueError):
+            raise ValueError(f"nodata: got {describe(nodata)}, expected a number") from None
     for name, field in fields.items():
         array = numpy_to_vtk(field, deep=True)
         array.SetName(name)
