@@ -188,7 +188,7 @@ def write(out, scene, times, pairs):
 
 
 def measure(out, series, size, motion, ways, rounds):
-    """`ways`: of each frame its name, those against which it is, its scene, what draws it."""
+    """`ways`: of each frame its name, those against which it is, its scene, the call that draws."""
     times, frame = {name: [] for name, *_ in ways}, 0
     for _ in range(rounds):
         for name, _, scene, draw in ways:

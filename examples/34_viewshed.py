@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What two observers see of a terrain: a raster on its grid, and a picture.
+"""The cells of a terrain that two observers see: a raster on its grid, and a picture.
 
     34_viewshed.py [FOLDER]
 

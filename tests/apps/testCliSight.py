@@ -133,7 +133,7 @@ class Sight(CliTest):
     @unittest.skipUnless(gdal, "no GDAL: packages.txt, [tests]")
     def test_terrain(self):
         """A level terrain with a wall of three rows in the west and a hole: rasters on its grid,
-        whole and in parts; what is refused."""
+        whole and in parts; refusals."""
         gdal.UseExceptions()
         file = gdal.GetDriverByName("GTiff").Create(
             str(self.folder / "dem.tif"), 50, 30, 1, gdal.GDT_Int16)

@@ -547,7 +547,7 @@ class Committed(unittest.TestCase):
                 if stem in both:
                     chart_drawing.save(figure, here / stem)
                     self.assertEqual(imread(here / f"{stem}.png").shape[1], 900)
-                else:  # its picture shows what this file says
+                else:  # its PNG shows no more than its SVG
                     chart_drawing.save_svg(figure, here / stem)
             self.assertEqual(len(list(there.iterdir())), 2 * (1 + 4 + 4))
             for file in there.iterdir():

@@ -239,7 +239,7 @@ class Viewshed(Folder):
 
         self.assertTrue(0.1 < ours(0).mean() < 0.9)
         self.assertGreater((theirs(0) == ours(0)).mean(), 0.99)
-        # What one of them sees, the other sees 20 m higher; the heights span 480 m.
+        # Places that one of them sees, the other sees 20 m higher; the heights span 480 m.
         self.assertTrue((ours(20) | ~theirs(0)).all())
         self.assertTrue((theirs(20) | ~ours(0)).all())
         bent = seen(terrain, (x, y, 10), curvature=0.857) == 1
@@ -267,7 +267,7 @@ class Viewshed(Folder):
 
 @needs_gdal
 class Files(Folder):
-    def test_reads_what_gdal_writes(self):
+    def test_reads_files_of_gdal(self):
         heights = numpy.round(hills(70, 90, seed=3))
         kinds = ((gdal.GDT_Byte, numpy.uint8), (gdal.GDT_Int16, numpy.int16),
                  (gdal.GDT_UInt16, numpy.uint16), (gdal.GDT_Int32, numpy.int32),
@@ -310,7 +310,7 @@ class Files(Folder):
         masked = numpy.ma.masked_less(heights.astype("f8"), 0)
         self.assertEqual(numpy.isnan(relievo.terrain(masked, UTM).heights).sum(), 3)
 
-    def test_gdal_reads_what_we_write(self):
+    def test_gdal_reads_our_files(self):
         heights = hills(40, 50, seed=5)
         heights[10:14, 20:22] = -32768
         path = self.write("a.tif", heights, kind=gdal.GDT_Int16, nodata=-32768)

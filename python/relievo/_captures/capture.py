@@ -358,8 +358,8 @@ _trees = threading.local()
 
 
 def _rays_of(thing, previous):
-    """The Rays of the thing. Those of a renderer stay for its next capture, as long as Python knows
-    the renderer, and no other is captured."""
+    """The Rays of the thing. Those of a renderer are kept for its next capture, until another
+    renderer is captured, or no reference to it is left in Python."""
     renderer = None if isinstance(thing, Rays) else inner_renderer(thing)
     if renderer is None or previous is not None:  # which would set how points are matched
         return thing if isinstance(thing, Rays) else rays(thing)

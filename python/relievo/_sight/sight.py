@@ -176,8 +176,8 @@ viewshed.__doc__ = f"""Returns a terrain's mesh with the number of observers tha
     hills = relievo.terrain(src.read(1), src.transform, src.nodata)
     seen = hills.rasters(relievo.viewshed(hills, [(689300, 5337200, 2)]))["seen"]
 
-mesh: what terrain() returns; or a dataset or a filter that makes one, with heights along z; or Rays
-    of it and its occluders.
+mesh: a Terrain, from terrain(); or a dataset or a filter that makes one, with heights along z; or
+    Rays of it and its occluders.
 observers: (x, y, height), or a list of them: coordinates of the terrain, and the height above it.
 occluders: other data that also hide it, one or a list.
 {describe_all(vtkRelievoViewshed(), _OF_VIEWSHED)}
