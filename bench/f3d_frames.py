@@ -174,6 +174,8 @@ def same_object(pictures):
 def ratio(times, others):
     """The median of the ratios of two series, and half the distance of their quartiles."""
     ratios = [a / b for a, b in zip(times, others, strict=True)]
+    if len(ratios) == 1:
+        return ratios[0], 0.0
     low, _, high = statistics.quantiles(ratios, n=4)
     return statistics.median(ratios), (high - low) / 2
 

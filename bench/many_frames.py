@@ -30,6 +30,7 @@ import sys
 import time
 
 import relievo
+from f3d_frames import ratio
 from relievo.vtk import vtkRenderingOpenGL2
 from relievo.vtk.vtkCommonCore import vtkPoints
 from relievo.vtk.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
@@ -166,14 +167,6 @@ def mesh(scene, count):
     for each in spheres(count):
         whole.AddInputData(each)
     scene.add(vtkPolyDataMapper(), whole)
-
-
-def ratio(times, others):
-    ratios = [a / b for a, b in zip(times, others)]
-    if len(ratios) == 1:
-        return ratios[0], 0.0
-    low, _, high = statistics.quantiles(ratios, n=4)
-    return statistics.median(ratios), (high - low) / 2
 
 
 def write(out, scene, times, pairs):

@@ -37,6 +37,13 @@ while time.process_time() < float(seconds):
 """
 
 
+def rows_of(script, *words):
+    """The rows of a small run of a bench."""
+    done = subprocess.run([sys.executable, BENCH / script, *words, "--small"],
+                          stdout=subprocess.PIPE, text=True, check=True)  # fmt: skip
+    return list(csv.DictReader(done.stdout.splitlines()))
+
+
 class Start(unittest.TestCase):
     def run_with(self, *pictures):
         with tempfile.TemporaryDirectory() as folder:
@@ -97,12 +104,10 @@ class Cost(unittest.TestCase):
             processes.run([sys.executable, "-c", "1 / 0"])
 
 
+@unittest.skipUnless(importlib.util.find_spec("relievo"), "no package relievo")
 class ScalingOut(unittest.TestCase):
     def test_small_tables(self):
-        script = BENCH / "scaling_out.py"
-        done = subprocess.run([sys.executable, script, "--small", "--rounds", "1"],
-                              stdout=subprocess.PIPE, text=True, check=True)  # fmt: skip
-        rows = list(csv.DictReader(done.stdout.splitlines()))
+        rows = rows_of("scaling_out.py", "--rounds", "1")
         self.assertEqual([row["subject"] for row in rows],
                          ["start"] * 3 + ["part"] * 10 + ["view"] * 4
                          + ["data set"] * 3 + ["cover"])  # fmt: skip
@@ -115,13 +120,11 @@ class ScalingOut(unittest.TestCase):
         self.assertLess(float(rows[16]["other cells"]), 0.01)  # at edges alone
 
 
+@unittest.skipUnless(importlib.util.find_spec("relievo"), "no package relievo")
 class ManyFrames(unittest.TestCase):
     def test_small_table(self):
         """Each frame is against plain frames, and exact shadows also against those of maps."""
-        script = BENCH / "many_frames.py"
-        done = subprocess.run([sys.executable, script, "--small", "--rounds", "2"],
-                              stdout=subprocess.PIPE, text=True, check=True)  # fmt: skip
-        rows = list(csv.DictReader(done.stdout.splitlines()))
+        rows = rows_of("many_frames.py", "--rounds", "2")
         shadows = ["plain / plain", "map / plain", "exact / plain", "exact / map"]
         self.assertEqual(
             [f"{row['frame']} / {row['against']}" for row in rows],
@@ -138,10 +141,7 @@ class ManyFrames(unittest.TestCase):
 class Irradiation(unittest.TestCase):
     def test_small_table(self):
         """Errors are within bounds, and bounds of scenes without gaps are near the tolerance."""
-        script = BENCH / "irradiation.py"
-        done = subprocess.run([sys.executable, script, "--small", "--rounds", "1"],
-                              stdout=subprocess.PIPE, text=True, check=True)  # fmt: skip
-        rows = list(csv.DictReader(done.stdout.splitlines()))
+        rows = rows_of("irradiation.py", "--rounds", "1")
         closed = [row for row in rows if row["method"] == "tolerance" and row["places"] == "64"]
         self.assertEqual(len(closed), 7)
         for row in closed:
@@ -164,10 +164,7 @@ class Irradiation(unittest.TestCase):
 class Viewshed(unittest.TestCase):
     def test_small_table(self):
         """Relievo's cells are those of lines over triangles, most of GDAL's too."""
-        done = subprocess.run(
-            [sys.executable, BENCH / "viewshed.py", os.environ["RELIEVO"], "--small", "--rounds",
-             "1"], stdout=subprocess.PIPE, text=True, check=True)  # fmt: skip
-        ours, theirs = csv.DictReader(done.stdout.splitlines())
+        ours, theirs = rows_of("viewshed.py", os.environ["RELIEVO"], "--rounds", "1")
         self.assertEqual([row["method"] for row in (ours, theirs)],
                          ["relievo viewshed", "gdal_viewshed"])  # fmt: skip
         self.assertEqual(float(ours["differs from triangles, %"]), 0)

@@ -26,6 +26,7 @@ class Frames(unittest.TestCase):
         found = f3d_frames.ratio([2, 40, 6, 80, 10], [1, 20, 30, 40, 5])
         self.assertEqual(found[0], 2)
         self.assertGreater(found[1], 0)
+        self.assertEqual(f3d_frames.ratio([6], [4]), (1.5, 0))
 
     def test_pictures_are_of_one_object(self):
         own = numpy.full((20, 30, 3), f3d_frames.BACKGROUND, numpy.uint8)
