@@ -180,6 +180,8 @@ class Package(unittest.TestCase):
             ("path", lambda: relievo.show(image, "depth", image)),
             ("path", lambda: relievo.rays(terrain.dataset).write(None)),
             ("path", lambda: terrain.write({"a": heights}, "a.tif")),
+            ("path", lambda: terrain.write("a.tif\0b.tif", {"a": heights})),
+            ("path", lambda: relievo.write_exr(b"a.exr\0b.exr", image)),
             ("rasters", lambda: terrain.write("a.tif", heights)),
             ("nodata", lambda: relievo.terrain(heights, terrain.transform, "none")),
             ("files", lambda: relievo.scene(renderer)),

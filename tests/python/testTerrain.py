@@ -194,8 +194,8 @@ class Viewshed(Folder):
         radius = numpy.hypot(u, v)
         terrain = relievo.terrain(40 - radius, (1, 0, -40.5, 0, -1, 40.5))
         self.assertTrue((seen(terrain, (0, 0, 1)) == 1).all())
-        # An eye at the distance d, h above the cone's surface: seen if (x, y) has
-        # x d <= -(40 - d + h - 40) r, the side of the tangent planes through the eye.
+        # An eye at the distance d, h above the cone, is above the tangent plane at (x, y), which is
+        # at the distance r, if x d > (d - h) r.
         d, h = 30.0, 2.0
         found = seen(terrain, (d, 0, h)) == 1
         margin = u * d - (d - h) * radius

@@ -90,11 +90,14 @@ def check_file(path):
 
 
 def path_of(thing, argument):
-    """The text or bytes of a path; or ValueError."""
+    """The text or bytes of a path; or ValueError, also for a null byte, where VTK would cut it."""
     try:
-        return os.fspath(thing)
+        path = os.fspath(thing)
     except TypeError:
-        raise ValueError(f"{argument}: got {describe(thing)}, expected a path") from None
+        path = None
+    if path is None or "\0" in os.fsdecode(path):
+        raise ValueError(f"{argument}: got {describe(thing)}, expected a path")
+    return path
 
 
 def is_a(thing, class_name):
