@@ -126,6 +126,24 @@ public:
   void CountLeft(vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
   std::string WhyLit(vtkActor* actor) const;
 
+  void TakeLineShaders(vtkRelievoLayersStage& self, const vtkRelievoFrameScene& scene)
+  {
+    if (!RELIEVO_VTK_WIDE_LINE_NORMALS)
+    {
+      return;
+    }
+    // After a change a mapper may still have the shaders of an actor that is now hidden.
+    std::map<vtkMapper*, int> lines = vtkRelievoSurfaces::FindLineShaders(scene);
+    if (lines != this->LineShaders)
+    {
+      this->LineShaders = std::move(lines);
+      self.ModifyShaders();
+    }
+    this->Alternating = this->Layout.TakesNormals() &&
+      std::any_of(this->LineShaders.begin(), this->LineShaders.end(),
+        [](const auto& each) { return each.second == vtkRelievoSurfaces::BothKinds; });
+  }
+
   void SetMode(vtkRelievoLayersStage& self, const vtkRelievoGBufferSplice::Mode& mode)
   {
     if (this->Mode != mode)
@@ -205,19 +223,7 @@ bool vtkRelievoLayersStage::Prepare(vtkRelievoFrameContext& context)
     in.Lit = lit;
     this->ModifyShaders();
   }
-  if (RELIEVO_VTK_WIDE_LINE_NORMALS)
-  {
-    // After a change a mapper may still have the shaders of an actor that is now hidden.
-    std::map<vtkMapper*, int> lines = vtkRelievoSurfaces::FindLineShaders(context.Scene);
-    if (lines != in.LineShaders)
-    {
-      in.LineShaders = std::move(lines);
-      this->ModifyShaders();
-    }
-    in.Alternating = in.Layout.TakesNormals() &&
-      std::any_of(in.LineShaders.begin(), in.LineShaders.end(),
-        [](const auto& each) { return each.second == vtkRelievoSurfaces::BothKinds; });
-  }
+  in.TakeLineShaders(*this, context.Scene);
   in.PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   if (in.Layout.IdWord >= 0)
   {
@@ -405,9 +411,7 @@ bool vtkRelievoLayersStage::CanRepeat(
   return in.Valid && !this->Shared && in.Renderer == renderer && !layout.Surface &&
     layout.Shadows.empty() && !layout.Places && !renderer->GetUseHiddenLineRemoval() &&
     !vtkRelievoSurfaces::AreMoved(scene) &&
-    std::none_of(scene.Props.begin(), scene.Props.end(), choosesDetail) &&
-    (!RELIEVO_VTK_WIDE_LINE_NORMALS ||
-      vtkRelievoSurfaces::FindLineShaders(scene) == in.LineShaders);
+    std::none_of(scene.Props.begin(), scene.Props.end(), choosesDetail);
 }
 
 //------------------------------------------------------------------------------
@@ -422,6 +426,7 @@ bool vtkRelievoLayersStage::DrawViews(vtkRenderer* renderer, const std::vector<v
   {
     return false;
   }
+  in.TakeLineShaders(*this, scene); // those of the last frame are of the actors in its view
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   window->MakeCurrent();
   vtkRelievoViewsTarget target(

@@ -549,6 +549,10 @@ class Errors(unittest.TestCase):
         wires = ball(1, 1, 0)
         wires.GetProperty().SetRepresentationToWireframe()
         wires.GetProperty().SetLineWidth(5)
+        shared = vtkActor()  # mappers of VTK 9.7 keep the shader of wide lines
+        shared.SetMapper(wires.GetMapper())
+        shared.SetPosition(-3, 0, 1)
+        renderer.AddActor(shared)
         dots = ball(-1, 1, 0)
         dots.GetProperty().SetRepresentationToPoints()
         dots.GetProperty().SetPointSize(7)
@@ -576,8 +580,6 @@ class Errors(unittest.TestCase):
             cameras.append(camera)
         moved = []
         light.AddObserver("ModifiedEvent", lambda *_: moved.append(1))
-        # VTK 9.7's shaders of wide lines are those of the lines that the first view shows.
-        version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
         for layers, apart in ((["depth"], False), (["normal", "cell", "actor", "Normals"], False),
                               (["depth", "color"], False), (["depth"], True)):
             with self.subTest(layers, apart=apart):
@@ -589,8 +591,7 @@ class Errors(unittest.TestCase):
                 moved.clear()
                 seen = relievo.capture_many(renderer, views, layers, size=(64, 64))
                 frames = len(moved)
-                if version < (9, 7):
-                    self.assertEqual(frames > len(views) / 2, apart or "color" in layers)
+                self.assertEqual(frames > len(views) / 2, apart or "color" in layers)
                 for i, camera in enumerate(views):
                     renderer.SetActiveCamera(camera)
                     image = relievo.capture(renderer, layers, size=(64, 64))
