@@ -20,7 +20,7 @@ VTKRELIEVOSHADERS_EXPORT void MarkBehind(
 ///@{
 // The marks after VTK's light code, which has written gl_FragData[0], in the order of their texts;
 // MarkBehindLight inserts one of them in this order: shadow catchers and the light of casting
-// lights, fill lights, their share in the sum, ambient occlusion of catchers, lamps.
+// lights, fill lights, the casting lights' share in the sum, ambient occlusion of catchers, lamps.
 VTKRELIEVOSHADERS_EXPORT extern const char* const BehindLight[5];
 VTKRELIEVOSHADERS_EXPORT void MarkBehindLight(std::string& source, const char* mark);
 ///@}

@@ -108,7 +108,7 @@ public:
   bool Alternating = false;              // actors that share a mapper need different shaders
   std::map<vtkMapper*, std::string> Lit; // reasons why VTK lights a mapper's surfaces
   std::map<vtkShaderProgram*, std::string> LeftOut; // reasons of this frame's programs
-  // What this frame's programs do: whether they write layers, and the source of the primitive ids.
+  // Of this frame's programs: whether each writes layers, and its source of primitive ids.
   struct Program
   {
     bool Writes;

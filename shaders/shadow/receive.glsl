@@ -214,9 +214,9 @@ RELIEVO_LIGHT_OF_VTK
     gl_FragData[0][i] = ambientColor[i] * share;
   }
 
-// The share of casting lights. For it VTK's light code appears twice, with them and without, and a
-// catcher's is that of its unshadowed part, at most half of what is shown, as in the contact shade
-// of grounds.
+// The share of casting lights. For it VTK's light code appears twice, with them and without. On a
+// catcher it is the part of the light that a full shadow would take away, at most half, as in the
+// contact shade of grounds.
 //RELIEVO::Section(DirectDec)
 vec3 relievoDirectLight;
 #undef RELIEVO_DIRECT_LIGHT

@@ -36,7 +36,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoFrameScene
 
   void Take(const vtkRenderState* s);
 
-  // Leaves the props that VTK draws in the renderer's present camera, in its order, as
+  // Keeps only the props that VTK draws for the renderer's present camera, in VTK's order, as
   // vtkRenderer::Render does before a frame.
   void Cull(vtkRenderer* renderer);
 
