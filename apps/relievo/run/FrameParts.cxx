@@ -243,8 +243,8 @@ dataset::WorkState FrameParts::Verify(dataset::WorkCheck check) const
     return state;
   }
   const std::string file = this->GetBase() + "/" + film;
-  std::error_code trouble;
   const std::string merged = this->Folder + "/" + MergedFilm;
+  std::error_code trouble;
   const bool exists = fs::exists(file, trouble);
   if (!exists || !fs::exists(merged, trouble) ||
     Json::parse(dataset::ReadWhole(merged), nullptr, false) !=

@@ -600,9 +600,10 @@ void MainWindow::OpenNext(int step)
   QStringList names;
   for (const QString& name : file.dir().entryList(QDir::Files, QDir::Name))
   {
-    // Textures are TIFFs beside models, so that terrains and other files are followed apart.
-    if (const std::string n = name.toStdString(); reading::HasReader(n) &&
-        reading::IsRaster(n) == reading::IsRaster(file.fileName().toStdString()))
+    // TIFFs beside models may be their textures: terrains and other files are two sequences.
+    const std::string next = name.toStdString();
+    if (reading::HasReader(next) &&
+      reading::IsRaster(next) == reading::IsRaster(file.fileName().toStdString()))
     {
       names += name;
     }
@@ -1028,7 +1029,7 @@ QString MainWindow::ShowRead()
   facts.Files = GetFileFacts(picture, this->Good.Files);
   this->Edited->SetFacts(facts);
   this->setWindowTitle(GetTitle(this->Good.Files));
-  this->setWindowFilePath(QString::fromStdString(this->Good.Files.front())); // proposed to save
+  this->setWindowFilePath(QString::fromStdString(this->Good.Files.front())); // dialogs that save propose it
   this->OfFile = false;
   this->Mend();
   this->TellMessages();

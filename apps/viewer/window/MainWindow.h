@@ -100,7 +100,8 @@ public:
   /// The present settings with camera and size.
   scene::Settings GetViewSettings();
 
-  /// Those that make the present picture: no colours of values where values give none.
+  /// The settings of a command that draws the present picture: GetViewSettings() without a colour
+  /// map and a range if no values give colours.
   scene::Settings GetCopiedSettings();
 
   /// The views of the camera path; fewer than two make no film.
