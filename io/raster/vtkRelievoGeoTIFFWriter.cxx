@@ -199,17 +199,15 @@ void WriteBand(TIFF* tiff, vtkPolyData* mesh, vtkDataArray* band, int plane, std
   }
 }
 
-// Whether an array has integers of 32 bits only.
-bool FitsInt32(vtkDataArray* array)
+// Whether an array has only integers from -most - 1 to most.
+bool HasIntegers(vtkDataArray* array, double most)
 {
   if (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE)
   {
     return false;
   }
   const double* range = array->GetRange(0);
-  return array->GetNumberOfTuples() == 0 ||
-    (range[0] >= std::numeric_limits<std::int32_t>::min() &&
-      range[1] <= std::numeric_limits<std::int32_t>::max());
+  return array->GetNumberOfTuples() == 0 || (range[0] >= -most - 1.0 && range[1] <= most);
 }
 
 // The bytes of the file. Throws Failure.
@@ -235,10 +233,8 @@ std::string MakeFile(vtkPolyData* mesh)
       std::strcmp(array->GetName(), relievo::raster::Cell) != 0)
     {
       bands.push_back(array);
-      const bool isFloat = array->GetDataType() == VTK_FLOAT;
-      const bool fits = FitsInt32(array);
-      isWhole = isWhole && fits;
-      isDouble = isDouble || !(fits || isFloat);
+      isWhole = isWhole && HasIntegers(array, std::numeric_limits<std::int32_t>::max());
+      isDouble = isDouble || !(array->GetDataType() == VTK_FLOAT || HasIntegers(array, 0xffffff));
     }
   }
   if (bands.empty())
@@ -246,6 +242,7 @@ std::string MakeFile(vtkPolyData* mesh)
     throw relievo::image::Failure(
       "the mesh has no point arrays of one component, expected at least one");
   }
+  isDouble = isDouble && !isWhole;
   const GeoTags tags = MakeTags(mesh, bands);
   Sink sink;
   const bool isBig =

@@ -6,9 +6,10 @@
  *
  * Input: a vtkPolyData of vtkRelievoTerrain, with point arrays of one component. Each of them but
  * raster_cell becomes a band with its name as description: Int32 if all arrays are of integers
- * of 32 bits; otherwise Float32, or Float64 if one is double or has larger integers. The place in
- * the world and the coordinate system are those of the terrain (vtkRelievoRaster.h). Cells without
- * a point have the value NoData. Bands are compressed without loss (deflate).
+ * of 32 bits; otherwise Float32, or Float64 if one is double or has integers beyond 2^24, which
+ * Float32 cannot hold. The place in the world and the coordinate system are those of the terrain
+ * (vtkRelievoRaster.h). Cells without a point have the value NoData. Bands are compressed without
+ * loss (deflate).
  *
  * A file is replaced when the new one is complete.
  *
