@@ -25,11 +25,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -40,17 +37,6 @@ namespace
 {
 constexpr const char* Group = "group"; // the cell array of groups
 const std::string Array = "array:";
-
-// Writes a file as a whole.
-void WriteText(const std::string& text, const std::string& option, const std::string& path,
-  const reading::Outputs& outputs)
-{
-  std::ofstream file(outputs.Temporary(path), std::ios::binary);
-  errno = 0;
-  file << text;
-  file.close();
-  reading::Messages::Check(option + " " + path, !file, std::strerror(errno));
-}
 
 // The number of each cell's connected part, from `first`, by places of points. Returns the number
 // after the last.

@@ -109,6 +109,17 @@ bool CheckRaster(vtkRelievoSightAlgorithm* filter, const std::string& output)
 }
 
 //------------------------------------------------------------------------------
+void WriteText(const std::string& text, const std::string& option, const std::string& path,
+  const reading::Outputs& outputs)
+{
+  std::ofstream file(outputs.Temporary(path), std::ios::binary);
+  errno = 0;
+  file << text;
+  file.close();
+  reading::Messages::Check(option + " " + path, !file, std::strerror(errno));
+}
+
+//------------------------------------------------------------------------------
 void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& path,
   const reading::Outputs& outputs, reading::Progress& progress)
 {
@@ -140,10 +151,6 @@ void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& 
   const bool made = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
   reading::Messages::Check(
     option + " " + path, !made, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
-  std::ofstream file(outputs.Temporary(path), std::ios::binary);
-  errno = 0;
-  file << writer->GetOutputString();
-  file.close();
-  reading::Messages::Check(option + " " + path, !file, std::strerror(errno));
+  WriteText(writer->GetOutputString(), option, path, outputs);
 }
 }

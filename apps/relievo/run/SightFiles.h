@@ -36,6 +36,10 @@ vtkSmartPointer<vtkPolyData> ReadMesh(
 /// Whether the output is a raster. Throws UsageError if the filter's mesh then has none.
 bool CheckRaster(vtkRelievoSightAlgorithm* filter, const std::string& output);
 
+/// Writes a text or bytes to its output's path.
+void WriteText(const std::string& text, const std::string& option, const std::string& path,
+  const reading::Outputs& outputs);
+
 /// Writes the mesh to its output's path; to .tif the arrays at a terrain's points, on its grid.
 void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& path,
   const reading::Outputs& outputs, reading::Progress& progress);
