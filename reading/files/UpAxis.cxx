@@ -60,9 +60,9 @@ void AddUpOption(OptionRows& rows, int& axis)
     .AddChoice("--up", "AXIS", { "x", "y", "z" },
       "the up axis, @choices@, of --environment, the fitted camera, the ground, "
       "--texture-coordinates and the shadows of --markers (y with --preset none; else by "
-      "the first file: y for models; z for data that is low along z, unless it stands on y "
-      "= 0 like a figure; y or z for data that stands on y = 0 or on z = 0; else z for STL "
-      "and grids with depth, y for others)",
+      "the first file: y for models; z for GeoTIFFs, and for data that is low along z, unless it "
+      "stands on y = 0 like a figure; y or z for data that stands on y = 0 or on z = 0; else z for "
+      "STL and grids with depth, y for others)",
       [&axis](std::size_t place) { axis = static_cast<int>(place); })
     .Is(OptionRows::Option::READS_FILES | OptionRows::Option::SHAPES_SURFACE)
     .NamedIn("Scene", "Up")
