@@ -5,7 +5,6 @@
 #include "Errors.h"
 #include "OptionRows.h"
 #include "Options.h"
-#include "Readers.h"
 #include "Values.h"
 
 #include "vtkNew.h"
@@ -177,13 +176,12 @@ vtkSmartPointer<vtkRelievoPointValues> MakePointValues(const std::string& stage)
 //------------------------------------------------------------------------------
 void AddPointOptions(OptionRows& rows, RenderOptions& all)
 {
-  static const std::string extensions = Join(GetExtensions(), "|");
   for (const PointStage& stage : GetPointStages())
   {
     vtkRelievoOption& points = rows.Add("--" + stage.Name, "FILE[,NAME=VALUE]...", stage.Help,
       [&all, name = stage.Name](const std::string& word) { TakePoints(all, name, word); });
     points.Repeats = true;
-    points.Files = extensions;
+    points.Files = rows.Command.Files;
     const vtkRelievoStageDescription& description =
       GetNewFrame()->GetStage(stage.Name)->GetDescription();
     const bool isLight = description.Slot == vtkRelievoStageDescription::SHADE;
