@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 import numpy
@@ -135,6 +136,16 @@ class CliTest(unittest.TestCase):
         done = self.finished(*words, **more)
         self.assertEqual(done.returncode, status, f"{words}: {done.stderr}")
         return done
+
+    def kill(self, begun, wait, *words):
+        """Ends the command by a signal, so many seconds after `begun` returns true."""
+        killed = subprocess.Popen([RELIEVO, *map(str, words)], cwd=self.folder,
+                                  stdout=subprocess.DEVNULL)  # fmt: skip
+        while killed.poll() is None and not begun():
+            time.sleep(0.0005)
+        time.sleep(wait)
+        killed.kill()
+        killed.wait()
 
     def refused(self, *words, status, says, **more):
         """The run fails with one line that holds every text of `says`, and writes nothing."""

@@ -8,12 +8,11 @@ import os
 import random
 import shutil
 import subprocess
-import time
 import unittest
 
 import numpy
 
-from cli import RELIEVO, CliTest, main, read_png
+from cli import CliTest, main, read_png
 
 # A block that looks different from all sides, and the corners of its bounds.
 BLOCK = """OFF
@@ -48,16 +47,6 @@ class Motion(CliTest):
 
     def draw(self, *words, **more):
         return self.relievo("render", "block.off", *PLAIN, *words, **more)
-
-    def kill_part(self, wait, *words):
-        """Ends a part by a signal, so many seconds after its first frame was written."""
-        killed = subprocess.Popen([RELIEVO, "render", "block.off", *PLAIN, *map(str, words)],
-                                  cwd=self.folder, stdout=subprocess.DEVNULL)  # fmt: skip
-        while killed.poll() is None and not list(self.folder.glob("*.png")):
-            time.sleep(0.0005)
-        time.sleep(wait)
-        killed.kill()
-        killed.wait()
 
     def bytes_of(self, name):
         return (self.folder / name).read_bytes()
@@ -228,7 +217,8 @@ class Motion(CliTest):
         draw = random.Random(45)
         count = draw.randint(2, 7)  # more than frames: some parts have none
         parts = draw.sample(range(1, count + 1), count)
-        self.kill_part(draw.uniform(0, 0.01), *words, "--part", f"{parts[0]}/{count}")
+        self.kill(lambda: list(self.folder.glob("*.png")), draw.uniform(0, 0.01), "render",
+                  "block.off", *PLAIN, *words, "--part", f"{parts[0]}/{count}")  # fmt: skip
         for part in parts[:-1]:
             self.draw(*words, "--part", f"{part}/{count}", whole=True)
         self.assertIn("missing", self.relievo("verify", "a.mkv.parts", status=3).stdout)

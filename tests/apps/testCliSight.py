@@ -7,12 +7,10 @@ import json
 import math
 import random
 import shutil
-import subprocess
-import time
 import unittest
 
 import numpy
-from cli import RELIEVO, CliTest, main
+from cli import CliTest, main
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
@@ -100,7 +98,7 @@ class Sight(CliTest):
                 self.relievo(*work, "-o", "whole.vtp")
                 folder = self.folder / "shared.vtp.parts"
                 parts = draw.sample(range(1, count + 1), count)
-                self.kill(folder, draw.uniform(0, 0.02), *work, "-o", "shared.vtp", "--part",
+                self.kill(folder.exists, draw.uniform(0, 0.02), *work, "-o", "shared.vtp", "--part",
                           f"{parts[0]}/{count}")  # fmt: skip
                 for part in parts:  # every other without the units that libraries choose
                     units = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F"}
@@ -211,15 +209,6 @@ class Sight(CliTest):
 
     def verify(self, folder):
         return self.relievo("verify", folder, status=3).stdout
-
-    def kill(self, folder, wait, *words):
-        """Ends a command by a signal, so many seconds after it has made a folder."""
-        killed = subprocess.Popen([RELIEVO, *words], cwd=self.folder, stdout=subprocess.DEVNULL)
-        while killed.poll() is None and not folder.exists():
-            time.sleep(0.0005)
-        time.sleep(wait)
-        killed.kill()
-        killed.wait()
 
     def test_a_job_array(self):
         for task in (10, 14, 12):  # parts 1, 3, 2
