@@ -1029,7 +1029,8 @@ QString MainWindow::ShowRead()
   facts.Files = GetFileFacts(picture, this->Good.Files);
   this->Edited->SetFacts(facts);
   this->setWindowTitle(GetTitle(this->Good.Files));
-  this->setWindowFilePath(QString::fromStdString(this->Good.Files.front())); // dialogs that save propose it
+  // Dialogs that save propose this name.
+  this->setWindowFilePath(QString::fromStdString(this->Good.Files.front()));
   this->OfFile = false;
   this->Mend();
   this->TellMessages();
