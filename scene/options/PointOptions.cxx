@@ -178,7 +178,7 @@ void AddPointOptions(OptionRows& rows, RenderOptions& all)
 {
   for (const PointStage& stage : GetPointStages())
   {
-    vtkRelievoOption& points = rows.Add("--" + stage.Name, "FILE[,NAME=VALUE]...", stage.Help,
+    vtkRelievoOption& points = rows.Add("--" + stage.Name, Form, stage.Help,
       [&all, name = stage.Name](const std::string& word) { TakePoints(all, name, word); });
     points.Repeats = true;
     points.Files = rows.Command.Files;
