@@ -61,8 +61,8 @@ vtkRelievoOption& AddOfStage(OptionRows& rows, std::vector<StageChoice>& stages,
   const std::string& help,
   const std::function<std::string(const std::string& word)>& read = nullptr);
 
-/// Adds the row of an option that also switches the stage: its values are `off` and the choices of the parameter, which
-/// replace @choices@ in the help.
+/// Adds the row of an option that also switches the stage: its values are `off` and the choices of
+/// the parameter, which replace @choices@ in the help.
 vtkRelievoOption& AddSwitch(OptionRows& rows, std::vector<StageChoice>& stages,
   const std::string& name, const std::string& form, const std::string& stage,
   const std::string& parameter, const std::string& help);

@@ -375,7 +375,8 @@ class Files(Folder):
             of, found = write(raster)
             self.assertEqual((of, found[0, 0], found[2, 3]), (gdal.GDT_Float64, most, -9999))
         for most, kind in ((2**24 - 1, gdal.GDT_Float32), (2**24 + 1, gdal.GDT_Float64)):
-            terrain.write(out, {"a": numpy.full(values.shape, most, "i4"), "b": values.astype("f4")})
+            large = numpy.full(values.shape, most, "i4")
+            terrain.write(out, {"a": large, "b": values.astype("f4")})
             file = gdal.Open(out)
             self.assertEqual((file.GetRasterBand(1).DataType, file.ReadAsArray()[0, 0, 0]),
                              (kind, most))  # fmt: skip
