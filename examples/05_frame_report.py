@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cost of layers: the frame report around a custom pass, and releasing everything.
+"""The cost of layers, from the frame report of a renderer with a custom pass; frees all memory.
 
     05_frame_report.py
 """

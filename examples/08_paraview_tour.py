@@ -9,9 +9,9 @@ Run it with ParaView's own pvbatch or pvpython. Writes to FOLDER (default: the c
     paraview_day.png     the town at 8, 12 and 16 o'clock (UTC; 48 degrees north, 0 east, 20 March)
     paraview_bike.png    a motorbike coloured by height, in a sun and a spot, and the layer `normal`
 
-The plugin is the one in the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo
-beside this folder); the meshes are those that tools/unpack-data puts into the folder RELIEVO_DATA
-(default: build/data).
+Loads the plugin from the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo beside
+this folder). The meshes are in the folder RELIEVO_DATA (default: build/data); tools/unpack-data
+puts them there.
 """
 
 from paraview import simple

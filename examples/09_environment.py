@@ -4,12 +4,12 @@
 
     09_environment.py [FOLDER]    writes FOLDER/environment.png and FOLDER/environment_balls.png
 
-The picture's sun is replaced by a lamp in its direction, since only lamps cast sharp shadows; the
-rest lights by nine numbers and is reflected at six levels of roughness. The second picture shows
-these: perfectly reflecting balls of roughness 0, 0.2 ... 1.
+A lamp replaces the sun of the HDR picture, because only lamps cast sharp shadows. The rest of that
+picture gives diffuse light, as nine coefficients, and reflections at six levels of roughness, which
+the second file shows: perfectly reflecting balls of roughness 0, 0.2 ... 1.
 
 Needs motorBike.obj and forest.exr in the folder RELIEVO_DATA (default: build/data beside this
-folder); tools/unpack-data puts them there. Without forest.exr the sky is a coded one.
+folder); tools/unpack-data puts them there. Without forest.exr a formula gives the sky.
 """
 
 import math

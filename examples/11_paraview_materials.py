@@ -8,9 +8,9 @@ Run it with ParaView's own pvbatch or pvpython. Writes to FOLDER (default: the c
     cobbles.png              heights of cobbles, computed here
     paraview_materials.png   the scene as ParaView draws it, and with materials
 
-The plugin is the one in the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo
-beside this folder); motorBike.obj and forest.exr are those that tools/unpack-data puts into the
-folder RELIEVO_DATA (default: build/data).
+Loads the plugin from the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo beside
+this folder). motorBike.obj and forest.exr are in the folder RELIEVO_DATA (default: build/data);
+tools/unpack-data puts them there.
 """
 
 import numpy

@@ -4,8 +4,8 @@
 
     12_town_at_night.py [FOLDER]    writes FOLDER/town.png and FOLDER/town_lamps.png
 
-Each lamp is a point with a radius and a colour. The second picture shows the number of lamps that
-reach each pixel, and of those computed for it.
+Each lamp is a point with a radius and a colour. For each pixel, the second picture shows
+the number of lamps that reach it, and the number of lamps computed for it.
 """
 
 import numpy

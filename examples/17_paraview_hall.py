@@ -4,7 +4,7 @@
 
     pvbatch 17_paraview_hall.py [FOLDER]    writes FOLDER/paraview_hall.png
 
-Run it with ParaView's own pvbatch or pvpython. The plugin is the one in the folder
+Run it with ParaView's own pvbatch or pvpython. It loads the plugin from the folder
 RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo beside this folder).
 """
 

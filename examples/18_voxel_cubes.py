@@ -5,8 +5,8 @@
     18_voxel_cubes.py [FOLDER]    writes FOLDER/voxels.png
 
 vtkRelievoVoxelShell finds the cells, vtkRelievoVoxelCubes gives each a size and the data of the
-model's nearest point, and vtkGlyph3DMapper draws them all at once. In the last two pictures, sizes
-fall outside the knot, and a point repels the cubes.
+model's nearest point, and vtkGlyph3DMapper draws them all at once. In the last two pictures, cubes
+outside the knot shrink, and a point repels the cubes.
 """
 
 import numpy

@@ -9,7 +9,7 @@ Writes to FOLDER
     frame_0000.vtp ...     all meshes of one time, with normals and the weights of bones
     animation.vtp.series   the times of these files: open it in ParaView, and the time controls play
 
-The default model is of Debian's package assimp-testmodels; tools/unpack-data puts it into the
+The default model comes from Debian's package assimp-testmodels; tools/unpack-data puts it into the
 folder RELIEVO_DATA (default: build/data beside this folder).
 """
 

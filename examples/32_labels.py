@@ -4,8 +4,8 @@
 
     32_labels.py [FOLDER]    writes FOLDER/labels.png and FOLDER/labels_depth.png
 
-The volume counts as solid, so that the layer depth, the second picture, is that of the nearer of
-mesh and volume.
+The volume counts as solid: the layer depth, which is the second picture, shows the nearer of mesh
+and volume.
 """
 
 import numpy

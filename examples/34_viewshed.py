@@ -9,8 +9,8 @@ Default: the current folder. Writes to FOLDER
     viewshed.vtp    the terrain as a mesh with that number
     viewshed.png    the terrain, coloured by it
 
-The heights are made here. Those of a file: relievo.terrain("dem.tif"), or with rasterio
-relievo.terrain(src.read(1), src.transform, src.nodata).
+The program makes the heights itself. To read a file, use relievo.terrain("dem.tif"), or with
+rasterio relievo.terrain(src.read(1), src.transform, src.nodata).
 """
 
 import numpy

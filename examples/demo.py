@@ -11,7 +11,7 @@ Writes to FOLDER
     demo_report.json   report of the stages, with GPU time and bytes of each
 
 Needs motorBike.obj and bunny.off in the folder RELIEVO_DATA (default: build/data beside this
-folder); tools/unpack-data puts them there. Exit status: 0 done, 1 failed, 2 wrong arguments.
+folder); tools/unpack-data puts them there. Exit status: 0 done, 1 failed, 2 invalid arguments.
 """
 
 import json

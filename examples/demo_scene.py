@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo's scene: the motorBike of OpenFOAM and the bunny of CGAL in a photographer's studio."""
+"""The demo's scene: OpenFOAM's motorBike and CGAL's bunny in a photographer's studio."""
 
 import math
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the examples for ParaView: paths, and views side by side as a picture.
 
-The plugin is the one in the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo
-beside this folder); data are files that tools/unpack-data puts into the folder RELIEVO_DATA
-(default: build/data).
+Programs load the plugin from the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo
+beside this folder), and data from the folder RELIEVO_DATA (default: build/data), where
+tools/unpack-data puts them.
 """
 
 import os
