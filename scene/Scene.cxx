@@ -124,7 +124,7 @@ std::optional<double> FindExposure(const Scene& scene, const RenderOptions& opti
       std::any_of(stage.Parameters.begin(), stage.Parameters.end(),
         [](const auto& each) { return each.first == "exposure" || each.first == "auto_exposure"; });
   };
-  if (!options.YieldsToFile || !scene.HasLights || options.Certify ||
+  if (!options.YieldsToFile || !scene.HasLights || options.Has("--certify") ||
     std::any_of(options.Stages.begin(), options.Stages.end(), exposes))
   {
     return std::nullopt;

@@ -416,8 +416,7 @@ void StyledScene::SetFrame(const RenderOptions& options, bool isStyled)
   {
     SetCastingLights(frame, renderer, options);
   }
-  if (isNew || options.VolumesCast != this->Options.VolumesCast ||
-    options.VolumesReceive != this->Options.VolumesReceive)
+  if (isNew || options.GetWord("--volume-shadows") != this->Options.GetWord("--volume-shadows"))
   {
     SetCastingVolumes(frame, renderer, options);
   }

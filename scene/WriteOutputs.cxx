@@ -472,7 +472,7 @@ vtkSmartPointer<vtkImageData> DrawFrame(StyledScene& styled, vtkRelievoPass* pas
   vtkSmartPointer<vtkImageData> baseline;
   if (!options.Baseline.empty()) // first: notes and the report are of the frame after it
   {
-    baseline = MakeBaseline(styled, options, settings, options.Portable);
+    baseline = MakeBaseline(styled, options, settings, options.Has("--portable"));
   }
   if (!options.Report.empty())
   {
@@ -485,7 +485,7 @@ vtkSmartPointer<vtkImageData> DrawFrame(StyledScene& styled, vtkRelievoPass* pas
   }
   vtkNew<vtkRelievoLayerSource> source;
   source->SetRenderer(renderer);
-  source->SetHDR(options.HDR);
+  source->SetHDR(options.Has("--hdr"));
   for (const std::string& name : layers)
   {
     source->AddLayer(name);
@@ -521,7 +521,7 @@ vtkSmartPointer<vtkImageData> DrawFrame(StyledScene& styled, vtkRelievoPass* pas
     {
       flow.AddTo(seen, renderer, options);
     }
-    if (options.Transparent)
+    if (options.Has("--transparent"))
     {
       const vtkSmartPointer<vtkImageData> overBlack = DrawOver(scene, 0.0);
       drawn = MakeTransparent(overBlack, DrawOver(scene, 1.0));
@@ -531,7 +531,7 @@ vtkSmartPointer<vtkImageData> DrawFrame(StyledScene& styled, vtkRelievoPass* pas
       const bool isDrawn =
         (baseline || !options.Gltf.empty()) && !options.WantsPicture() && options.Report.empty();
       // Unless it is drawn already, or by the writer of glTF.
-      if ((options.EXR.empty() && !isDrawn) || (options.HDR && options.WantsPicture()))
+      if ((options.EXR.empty() && !isDrawn) || (options.Has("--hdr") && options.WantsPicture()))
       {
         window->Render();
       }
@@ -737,7 +737,7 @@ public:
     , Pass(styled.GetFrame())
   {
     this->Own =
-      !this->Pass && (!layers.empty() || !options.Report.empty() || options.Certify.has_value());
+      !this->Pass && (!layers.empty() || !options.Report.empty() || options.Has("--certify"));
     if (this->Own)
     {
       this->Pass = vtkRelievoPass::Attach(this->Renderer);
@@ -871,7 +871,8 @@ std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
     DrawFrame(styled, pass, layers, options, settings, bands, flow, *outputs, progress,
       "rendering " + size);
   }
-  const std::string certificate = options.Certify ? Certify(pass, *options.Certify) : "";
+  const std::string certificate =
+    options.Has("--certify") ? Certify(pass, std::stoi(options.GetWord("--certify"))) : "";
   if (frames == 0)
   {
     outputs->Commit();

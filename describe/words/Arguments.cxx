@@ -115,14 +115,14 @@ void SplitArguments(const std::vector<std::string>& words, const vtkRelievoComma
 }
 
 //------------------------------------------------------------------------------
-std::set<std::string> TakeArguments(const std::vector<std::string>& words,
-  const vtkRelievoCommand& command, const std::function<void(const std::string& word)>& plain)
+GivenWords TakeArguments(const std::vector<std::string>& words, const vtkRelievoCommand& command,
+  const std::function<void(const std::string& word)>& plain)
 {
-  std::set<std::string> given;
+  GivenWords given;
   SplitArguments(
     words, command,
     [&given](const vtkRelievoOption& row, const std::string& value) {
-      if (!given.insert(row.Name).second && !row.Repeats)
+      if (!given.insert_or_assign(row.Name, value).second && !row.Repeats)
       {
         throw UsageError(row.Name + ": given twice, expected once");
       }

@@ -9,12 +9,15 @@
 #include "vtkRelievoOption.h"
 
 #include <functional>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace words
 {
+/// The options on a command line, each with its last value; a flag's is empty.
+using GivenWords = std::map<std::string, std::string>;
+
 /// Calls option(row, value) for "--name value" and "--name=value", option(row, "") for a flag, and
 /// plain(word) for the other words and everything after "--". Throws UsageError for an unknown
 /// option, a missing value, and a flag's value.
@@ -22,11 +25,10 @@ void SplitArguments(const std::vector<std::string>& words, const vtkRelievoComma
   const std::function<void(const vtkRelievoOption& row, const std::string& value)>& option,
   const std::function<void(const std::string& word)>& plain);
 
-/// Passes the values to the command's options. Returns the names of the given options. Also throws
-/// UsageError for an option that is given twice and does not repeat, for an empty or invalid value,
-/// and for a missing required option.
-std::set<std::string> TakeArguments(const std::vector<std::string>& words,
-  const vtkRelievoCommand& command, const std::function<void(const std::string& word)>& plain);
+/// Passes the values to the command's options. Also throws UsageError for an option that is given
+/// twice and does not repeat, for an empty or invalid value, and for a missing required option.
+GivenWords TakeArguments(const std::vector<std::string>& words, const vtkRelievoCommand& command,
+  const std::function<void(const std::string& word)>& plain);
 }
 
 #endif

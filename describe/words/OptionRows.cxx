@@ -33,6 +33,12 @@ vtkRelievoOption& OptionRows::Add(
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoOption& OptionRows::AddFlag(const std::string& name, const std::string& help)
+{
+  return this->Add(name, "", help, [](const std::string&) {});
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoOption& OptionRows::AddFlag(const std::string& name, const std::string& help, bool& flag)
 {
   return this->Add(name, "", help, [&flag](const std::string&) { flag = true; });
@@ -67,7 +73,13 @@ vtkRelievoOption& OptionRows::AddChoice(const std::string& name, const std::stri
   const std::function<void(std::size_t place)>& take)
 {
   Option& option = this->Add(name, form, Insert(help, "@choices@", vtkRelievoEither(choices)),
-    [name, choices, take](const std::string& word) { take(ParseChoice(name, word, choices)); });
+    [name, choices, take](const std::string& word) {
+      const std::size_t place = ParseChoice(name, word, choices);
+      if (take)
+      {
+        take(place);
+      }
+    });
   option.Words = choices;
   return option;
 }

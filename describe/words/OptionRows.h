@@ -35,7 +35,11 @@ public:
       name, form, help, [&choice, take](const std::string& word) { take(choice, word); });
   }
 
+  ///@{
+  /// Without a variable, the code that uses the option asks whether it was given.
+  Option& AddFlag(const std::string& name, const std::string& help);
   Option& AddFlag(const std::string& name, const std::string& help, bool& flag);
+  ///@}
 
   /// Any text.
   Option& AddText(
@@ -49,10 +53,10 @@ public:
     return this->AddParsed(name, form, help, range, [&number](double parsed) { number = parsed; });
   }
 
-  /// The choices replace @choices@ in the help; `take` gets the index.
+  /// The choices replace @choices@ in the help; `take`, if any, gets the index.
   Option& AddChoice(const std::string& name, const std::string& form,
     const std::vector<std::string>& choices, const std::string& help,
-    const std::function<void(std::size_t place)>& take);
+    const std::function<void(std::size_t place)>& take = nullptr);
 
 private:
   Option& AddParsed(const std::string& name, const std::string& form, const std::string& help,

@@ -197,7 +197,7 @@ void TakeBackground(LookChoice& look, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void CheckLookOptions(const LookChoice& look, const std::set<std::string>& given)
+void CheckLookOptions(const LookChoice& look, const GivenWords& given)
 {
   if (Colormap::Parse(look.Colormap).Log &&
     (look.Symmetric || (look.Range && (*look.Range)[0] <= 0.0)))

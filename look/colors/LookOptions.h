@@ -8,11 +8,11 @@
 #define LookOptions_h
 
 #include "AnnotationOptions.h"
+#include "Arguments.h"
 #include "LookNames.h"
 
 #include <array>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -81,7 +81,7 @@ std::string WriteOpacityCurve(const std::vector<std::array<double, 2>>& curve);
 /// Parses "#rrggbb", "R/G/B" from 0 to 1, or an HTML colour name.
 Color ParseColor(const std::string& option, const std::string& word);
 
-void CheckLookOptions(const LookChoice& look, const std::set<std::string>& given);
+void CheckLookOptions(const LookChoice& look, const GivenWords& given);
 }
 
 #endif

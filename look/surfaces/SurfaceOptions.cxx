@@ -213,7 +213,7 @@ void TakeReflectivity(SurfaceChoice& surface, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void CheckSurfaceOptions(const SurfaceChoice& surface, const std::set<std::string>& given)
+void CheckSurfaceOptions(const SurfaceChoice& surface, const GivenWords& given)
 {
   if (given.count("--relief") && surface.HeightMap.empty())
   {

@@ -7,6 +7,7 @@
 #ifndef SurfaceOptions_h
 #define SurfaceOptions_h
 
+#include "Arguments.h"
 #include "LookNames.h"
 #include "Values.h"
 
@@ -14,7 +15,6 @@
 #include "vtkRelievoParameterList.h"
 
 #include <optional>
-#include <set>
 #include <string>
 
 namespace look
@@ -70,7 +70,7 @@ void TakeEnvironment(SurfaceChoice& surface, const std::string& word);
 void TakeReflectivity(SurfaceChoice& surface, const std::string& word);
 
 /// `given`: the names of the options on the command line.
-void CheckSurfaceOptions(const SurfaceChoice& surface, const std::set<std::string>& given);
+void CheckSurfaceOptions(const SurfaceChoice& surface, const GivenWords& given);
 }
 
 #endif

@@ -40,7 +40,7 @@ std::string FindWhole(const RenderOptions& options)
     : !options.Baseline.empty()              ? "--baseline"
     : !options.Gltf.empty()                  ? "--gltf"
     : !options.Report.empty()                ? "--report"
-    : options.Certify                        ? "--certify"
+    : options.Has("--certify")               ? "--certify"
     : options.Look.Grid                      ? "--grid"
     : options.Look.PointSize > 2 * Margin    ? "--point-size"
     : flows                                  ? "the layer flow"

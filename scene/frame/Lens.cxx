@@ -146,7 +146,7 @@ vtkSmartPointer<vtkImageData> DrawLens(vtkRenderer* renderer, const RenderOption
   vtkNew<vtkRelievoLensPicture> drawn;
   drawn->SetRenderer(renderer);
   drawn->SetCamera(sensor);
-  drawn->SetHDR(options.HDR);
+  drawn->SetHDR(options.Has("--hdr"));
   drawn->SetPicture(options.WantsPicture());
   progress.Observe(drawn);
   drawn->Update();

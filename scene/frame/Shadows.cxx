@@ -44,14 +44,15 @@ void SetCastingLights(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderO
 //------------------------------------------------------------------------------
 void SetCastingVolumes(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
 {
+  const std::string kind = options.GetWord("--volume-shadows");
   vtkVolumeCollection* volumes = renderer->GetVolumes();
   for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
   {
     vtkProp* volume = vtkProp::SafeDownCast(volumes->GetItemAsObject(i));
     pass->GetShadowStage()->SetPropCasts(volume,
-      options.VolumesCast ? vtkRelievoShadowStage::CASTS_IF_OPAQUE
-                          : vtkRelievoShadowStage::CASTS_NEVER);
-    pass->GetShadowStage()->SetPropReceives(volume, options.VolumesReceive);
+      kind == "receives" || kind == "none" ? vtkRelievoShadowStage::CASTS_NEVER
+                                           : vtkRelievoShadowStage::CASTS_IF_OPAQUE);
+    pass->GetShadowStage()->SetPropReceives(volume, kind != "casts" && kind != "none");
   }
 }
 

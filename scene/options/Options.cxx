@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace scene
 {
@@ -203,12 +202,12 @@ namespace
 //------------------------------------------------------------------------------
 // Rejects an option and a --stage parameter that set the same value. Options of points override
 // their stage's parameters instead.
-void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& given)
+void CheckSaidOnce(const RenderOptions& options)
 {
   const std::string byStage = StageChoice().Option;
   for (const StageChoice& own : options.Stages)
   {
-    const bool isOwn = own.Option != byStage && own.Option != "--preset" && given.count(own.Option);
+    const bool isOwn = own.Option != byStage && own.Option != "--preset" && options.Has(own.Option);
     for (const auto& [name, value] : isOwn ? own.Parameters : NamedWords())
     {
       if (FindStageChoice(options.Stages, own.Name, name, byStage))
@@ -221,7 +220,7 @@ void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& gi
 }
 
 //------------------------------------------------------------------------------
-void CheckLens(const RenderOptions& options, const std::set<std::string>& given)
+void CheckLens(const RenderOptions& options)
 {
   if (options.Lens.empty())
   {
@@ -235,7 +234,7 @@ void CheckLens(const RenderOptions& options, const std::set<std::string>& given)
   }
   for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
-    if (!option.NotWithLens.empty() && given.count(option.Name))
+    if (!option.NotWithLens.empty() && options.Has(option.Name))
     {
       throw UsageError(
         "--lens and " + option.Name + ": " + option.NotWithLens + "; give one of them");
@@ -252,7 +251,7 @@ void CheckLens(const RenderOptions& options, const std::set<std::string>& given)
 }
 
 //------------------------------------------------------------------------------
-void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
+void CheckTogether(RenderOptions& options)
 {
   if (options.View.Angle && options.View.ParallelScale)
   {
@@ -273,37 +272,37 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
   {
     throw UsageError("--gltf and --lens: give one of them; glTF has pinhole cameras alone");
   }
-  if (options.Portable && options.Baseline.empty())
+  if (options.Has("--portable") && options.Baseline.empty())
   {
     throw UsageError("--portable: describes a baseline: give --baseline F as well");
   }
-  if (options.Portable && options.View.Clip)
+  if (options.Has("--portable") && options.View.Clip)
   {
     throw UsageError("--portable and --clip: give one of them; the rays of a portable baseline do "
                      "not end at clipping distances");
   }
-  if (options.HDR && options.EXR.empty())
+  if (options.Has("--hdr") && options.EXR.empty())
   {
     throw UsageError("--hdr: unclamped colour is written to OpenEXR: give --exr F as well");
   }
-  if (options.Transparent && options.PNG.empty())
+  if (options.Has("--transparent") && options.PNG.empty())
   {
     throw UsageError("--transparent: it is the picture that has no background: give --png F as "
                      "well; the colour of the EXR has its alpha");
   }
-  CheckLens(options, given);
+  CheckLens(options);
   CheckModelOptions(options);
-  CheckSequence(options, given);
-  CheckLookOptions(options.Look, given);
+  CheckSequence(options);
+  CheckLookOptions(options.Look, options.Given);
   CheckStages(options.Stages);
   if (!options.Lights.empty())
   {
     const int lights = static_cast<int>(options.Lights.size());
     CheckShadowLayers(options, lights, lights == 1 ? "--light option" : "--light options");
   }
-  CheckSurfaceOptions(options.Surface, given);
-  CheckSaidOnce(options, given);
-  CheckShadowsAsked(options, given);
+  CheckSurfaceOptions(options.Surface, options.Given);
+  CheckSaidOnce(options);
+  CheckShadowsAsked(options);
 }
 }
 
@@ -311,12 +310,12 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
 RenderOptions ParseOptions(const std::vector<std::string>& words)
 {
   RenderOptions options;
-  const std::set<std::string> seen = TakeArguments(words, DescribeRender(options),
+  options.Given = TakeArguments(words, DescribeRender(options),
     [&](const std::string& word) { options.Files.push_back(word); });
   // Options of points override --stage.
   std::stable_partition(options.Stages.begin(), options.Stages.end(),
     [](const StageChoice& choice) { return choice.Option.find(' ') == std::string::npos; });
-  ApplyPreset(options, seen);
+  ApplyPreset(options);
   const auto darkens = [](const StageChoice& choice) { return choice.Name == "ambient"; };
   if (options.Ground.value_or(false) && !options.Surface.Environment.empty() &&
     std::none_of(options.Stages.begin(), options.Stages.end(), darkens))
@@ -327,14 +326,14 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
       { "only_catchers", "on" } };
   }
   SizeFigure(options);
-  CheckShadowWishes(options, seen);
+  CheckShadowWishes(options);
   options.Surface.Shadowed = ShowsShadows(options);
   // Pictures without a preset, and those with an exposure, keep the environment's light.
   options.Surface.FindsIntensity = options.Preset != "none" &&
     FindWords(options.Surface.EnvironmentValues, "intensity").empty() &&
     std::none_of(options.Stages.begin(), options.Stages.end(),
       [](const StageChoice& stage) { return stage.Name == "tone"; });
-  CheckTogether(options, seen);
+  CheckTogether(options);
   return options;
 }
 }

@@ -7,6 +7,7 @@
 #ifndef Options_h
 #define Options_h
 
+#include "Arguments.h"
 #include "CameraOptions.h"
 #include "LightOptions.h"
 #include "LookOptions.h"
@@ -31,6 +32,7 @@ constexpr int LargestSize = 16384;
 
 struct RenderOptions
 {
+  GivenWords Given; ///< values that only one place uses have no member
   std::vector<std::string> Files;
   std::vector<std::string> AllowedFolders; ///< of referenced files, besides the files' own
   std::array<int, 2> Size = { 1024, 768 }; ///< width, height in pixels
@@ -46,22 +48,25 @@ struct RenderOptions
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
   std::optional<double> Fill;      ///< share of the preset's weak lights; none: the preset has none
   bool YieldsToFile = false;       ///< the file's lights, if any, replace these
-  bool VolumesCast = true;
-  bool VolumesReceive = true;
-  std::optional<int> Certify;       ///< rays
-  SurfaceChoice Surface;            ///< maps and environment of surfaces
-  int UpAxis = 1;                   ///< the world's up axis: 0, 1, 2 for x, y, z
-  bool FindsUp = false;             ///< replaces UpAxis by the scene's own
-  std::optional<bool> Ground;       ///< whether to add one below the scene; none: no
+  SurfaceChoice Surface;           ///< maps and environment of surfaces
+  int UpAxis = 1;                  ///< the world's up axis: 0, 1, 2 for x, y, z
+  bool FindsUp = false;            ///< replaces UpAxis by the scene's own
+  std::optional<bool> Ground;      ///< whether to add one below the scene; none: no
   std::vector<PointsChoice> Points; ///< for stages that draw points
   std::vector<StageChoice> Stages;  ///< in the order given
-  bool HDR = false;                 ///< EXR colour unclamped
-  bool Portable = false;            ///< the baseline's
-  bool Transparent = false;         ///< PNG without background
   std::vector<std::string> Layers;  ///< each once; of the EXR besides its colour
   std::string PNG, EXR, Report;     ///< empty: not requested
   std::string Baseline;             ///< an EXR to compare with; empty: not requested
   std::string Gltf;                 ///< a .glb; empty: not requested
+
+  bool Has(const std::string& option) const { return this->Given.count(option) > 0; }
+
+  /// The word of an option; "" if it is not given.
+  std::string GetWord(const std::string& option) const
+  {
+    const auto found = this->Given.find(option);
+    return found == this->Given.end() ? "" : found->second;
+  }
 
   bool WantsPicture() const { return !this->PNG.empty() || !this->Motion.Video.empty(); }
 };

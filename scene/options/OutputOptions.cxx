@@ -66,8 +66,7 @@ void AddPictureOptions(OptionRows& rows, RenderOptions& all)
   rows
     .AddFlag("--transparent",
       "the picture without its background, RGBA; the ground shows only its shadows, as "
-      "translucent black",
-      all.Transparent)
+      "translucent black")
     .RefuseLens("only a pinhole's picture can leave out its background")
     .OfOutputs = true;
 }
@@ -80,8 +79,7 @@ void AddOutputOptions(OptionRows& rows, RenderOptions& all)
     [&all](const std::string& word) { all.EXR = NamedAs(".exr", "--exr", word); });
   exr.OfOutputs = true;
   exr.Files = "exr";
-  rows
-    .AddFlag("--hdr", "stores the EXR's colour unclamped, as linear light in half floats", all.HDR)
+  rows.AddFlag("--hdr", "stores the EXR's colour unclamped, as linear light in half floats")
     .OfOutputs = true;
   vtkRelievoOption& baseline = rows.Add("--baseline", "F",
     "OpenEXR for `relievo compare`: the picture, the layers that identify causes, and a record of "
@@ -92,8 +90,7 @@ void AddOutputOptions(OptionRows& rows, RenderOptions& all)
   rows
     .AddFlag("--portable",
       "takes the baseline's ids, depth, normals and arrays from rays instead of OpenGL: equal on "
-      "all processors and drivers; surfaces only",
-      all.Portable)
+      "all processors and drivers; surfaces only")
     .OfOutputs = true;
   vtkRelievoOption& gltf = rows.Add("--gltf", "F",
     "glTF: the scene's surfaces with their colours, materials, lights and camera, in one .glb file "
@@ -117,7 +114,7 @@ void CheckOutputs(const RenderOptions& options)
   }
   if (options.PNG.empty() && options.EXR.empty() && options.Baseline.empty() &&
     options.Gltf.empty() && options.Report.empty() && options.Motion.Video.empty() &&
-    !options.Certify)
+    !options.Has("--certify"))
   {
     throw UsageError("render: nothing to write: give --png F, --exr F, --video F, "
                      "--baseline F.exr, --gltf F.glb, --report F.json or --certify N");

@@ -138,9 +138,9 @@ void AddMoon(RenderOptions& options, const Preset& preset)
 }
 
 // Applies if no option sets shadows; layers and verdicts use point lights.
-void AddShadows(RenderOptions& options, const std::set<std::string>& given, int samples)
+void AddShadows(RenderOptions& options, int samples)
 {
-  const auto says = [&given](const char* option) { return given.count(option) > 0; };
+  const auto says = [&options](const char* option) { return options.Has(option); };
   if (says("--shadows"))
   {
     return;
@@ -257,21 +257,21 @@ bool HasMoon(const Settings& settings)
 }
 
 //------------------------------------------------------------------------------
-void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
+void ApplyPreset(RenderOptions& options)
 {
-  if (given.count("--preset") == 0)
+  if (!options.Has("--preset"))
   {
     const char* usual = std::getenv("RELIEVO_PRESET");
     options.Preset = usual && *usual ? usual : GetPresets().front().Name;
     ParseChoice("the environment variable RELIEVO_PRESET", options.Preset, GetPresetNames());
-    options.YieldsToFile = given.count("--light") == 0;
+    options.YieldsToFile = !options.Has("--light");
   }
   const auto preset = std::find_if(GetPresets().begin(), GetPresets().end(),
     [&options](const Preset& each) { return options.Preset == each.Name; });
   // An environment is the only light, unless a preset was requested as well.
-  const bool lights = preset != GetPresets().end() &&
-    (given.count("--environment") == 0 || given.count("--preset") > 0);
-  if (given.count("--fill") > 0 && !lights)
+  const bool lights =
+    preset != GetPresets().end() && (!options.Has("--environment") || options.Has("--preset"));
+  if (options.Has("--fill") && !lights)
   {
     throw UsageError(preset == GetPresets().end()
         ? "--fill: the preset none has no fill lights: give --preset NAME as well"
@@ -281,25 +281,24 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   {
     return;
   }
-  if (given.count("--background") == 0)
+  if (!options.Has("--background"))
   {
     const std::optional<double> elevation = FindSunElevation(options.Lights);
     options.Look.Background = elevation && preset->Night != Preset::Always
       ? DarkenSky(preset->Background, preset->Night == Preset::Outdoors, *elevation)
       : preset->Background;
   }
-  if (given.count("--image") + given.count("--color-by") + given.count("--scalar-bar") +
-      given.count("--bar") ==
-    0)
+  if (!options.Has("--image") && !options.Has("--color-by") && !options.Has("--scalar-bar") &&
+    !options.Has("--bar"))
   {
     options.Image.Is = ImageChoice::Kind::Found;
   }
-  if (given.count("--point-size") == 0)
+  if (!options.Has("--point-size"))
   {
     options.Look.PointSize = PointSize;
   }
   options.View.From = ThreeQuarter;
-  options.FindsUp = given.count("--up") == 0;
+  options.FindsUp = !options.Has("--up");
   const int samples = options.Image.Is == ImageChoice::Kind::Volume ? SamplesOfVolumes : Samples;
   const auto smooths = [](const StageChoice& stage) { return stage.Name == "antialias"; };
   if (std::none_of(options.Stages.begin(), options.Stages.end(), smooths))
@@ -311,10 +310,10 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   {
     options.Look.IsReadable = options.ShadingKind != Shading::PBR;
     AddMoon(options, *preset);
-    AddSuns(options, *preset, given.count("--light") > 0);
+    AddSuns(options, *preset, options.Has("--light"));
     if (preset->Angle >= 0.0)
     {
-      AddShadows(options, given, samples);
+      AddShadows(options, samples);
       options.Ground = options.Ground.value_or(true);
     }
   }

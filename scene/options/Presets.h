@@ -9,7 +9,6 @@
 
 #include "SceneNames.h"
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -51,7 +50,7 @@ bool HasMoon(const Settings& settings);
 
 /// Fills in the preset's values for options that were not given. Throws UsageError for a --fill
 /// without effect.
-void ApplyPreset(RenderOptions& options, const std::set<std::string>& given);
+void ApplyPreset(RenderOptions& options);
 }
 
 #endif

@@ -81,7 +81,7 @@ void CheckFramesAlone(const RenderOptions& options, const std::string& option)
 }
 
 //------------------------------------------------------------------------------
-void CheckSequence(const RenderOptions& options, const std::set<std::string>& given)
+void CheckSequence(const RenderOptions& options)
 {
   const MotionChoice& motion = options.Motion;
   const char* const sequences = "--turntable N, --camera-path F or --times START:END:STEP";
@@ -89,7 +89,7 @@ void CheckSequence(const RenderOptions& options, const std::set<std::string>& gi
   {
     for (const char* option : { "--video", "--resume", "--fps" })
     {
-      if (given.count(option) > 0)
+      if (options.Has(option))
       {
         throw UsageError(
           std::string(option) + ": there is one frame: give " + sequences + " as well");
@@ -101,7 +101,7 @@ void CheckSequence(const RenderOptions& options, const std::set<std::string>& gi
   {
     throw UsageError("--turntable and --camera-path: give one of them; each moves the camera");
   }
-  if (given.count("--camera") > 0 && !motion.Path.empty())
+  if (options.Has("--camera") && !motion.Path.empty())
   {
     throw UsageError("--camera and --camera-path: give one of them; the path has all views");
   }
@@ -111,18 +111,18 @@ void CheckSequence(const RenderOptions& options, const std::set<std::string>& gi
     throw UsageError("--turntable and --times: got " + std::to_string(motion.Turntable) + " and " +
       std::to_string(options.Model.Times.size()) + " frames, expected the same number");
   }
-  if (options.Certify)
+  if (options.Has("--certify"))
   {
     throw UsageError(std::string(options.Model.Times.empty()
                          ? motion.Path.empty() ? "--turntable" : "--camera-path"
                          : "--times") +
       " and --certify: one picture is certified: give --camera or --time");
   }
-  if (!motion.Video.empty() && options.Transparent)
+  if (!motion.Video.empty() && options.Has("--transparent"))
   {
     throw UsageError("--video and --transparent: give one of them; films are opaque");
   }
-  if (given.count("--fps") > 0 && motion.Video.empty() && motion.Path.empty())
+  if (options.Has("--fps") && motion.Video.empty() && motion.Path.empty())
   {
     throw UsageError(
       "--fps: there is neither a film nor a camera's path: give --video F or --camera-path F");

@@ -8,7 +8,6 @@
 
 #include "SceneNames.h"
 
-#include <set>
 #include <string>
 
 namespace scene
@@ -23,8 +22,8 @@ void CheckModelOptions(RenderOptions& options);
 bool IsSequence(const RenderOptions& options);
 
 /// Throws UsageError for options of sequences without a sequence or without each other, and if its
-/// file names lack a number. `given`: the names of all options given.
-void CheckSequence(const RenderOptions& options, const std::set<std::string>& given);
+/// file names lack a number.
+void CheckSequence(const RenderOptions& options);
 
 /// Throws UsageError for outputs of which no frame can be drawn without the frames before it.
 /// `option`: the one that asks for frames alone.

@@ -17,22 +17,14 @@ namespace scene
 {
 namespace
 {
+constexpr int MostCertified = 100000000; // rays
+
 // Whether shadows are shown, or any of their parameters is set.
 bool SetsShadows(const RenderOptions& options)
 {
   return ShowsShadows(options) ||
     std::any_of(options.Stages.begin(), options.Stages.end(),
       [](const StageChoice& stage) { return stage.Name == "shadows" && !IsOfSwitch(stage); });
-}
-}
-
-//------------------------------------------------------------------------------
-namespace
-{
-void TakeCertify(RenderOptions& options, const std::string& word)
-{
-  constexpr int most = 100000000; // rays
-  options.Certify = ParseWhole("--certify", word, 1, most);
 }
 }
 
@@ -46,17 +38,17 @@ void ShowShadows(RenderOptions& options, const NamedWords& parameters)
 }
 
 //------------------------------------------------------------------------------
-void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& given)
+void CheckShadowWishes(RenderOptions& options)
 {
   for (const vtkRelievoOption& wish : GetRenderCommand().Options)
   {
-    if (wish.Implies.empty() || given.count(wish.Name) == 0)
+    if (wish.Implies.empty() || !options.Has(wish.Name))
     {
       continue;
     }
     for (const std::string& choice : { wish.Implies.front(), std::string("--shadow-size") })
     {
-      if (given.count(choice))
+      if (options.Has(choice))
       {
         throw UsageError(wish.Name + " and " + choice +
           ": the first chooses the method and the size of maps; give one of them");
@@ -64,7 +56,7 @@ void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& give
     }
     ShowShadows(options);
   }
-  if (options.Certify && !SetsShadows(options) &&
+  if (options.Has("--certify") && !SetsShadows(options) &&
     std::all_of(options.Layers.begin(), options.Layers.end(),
       [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) < 0; }))
   {
@@ -107,11 +99,7 @@ void AddShadowOptions(OptionRows& rows, RenderOptions& all)
   rows
     .AddChoice("--volume-shadows", "KIND", { "both", "casts", "receives", "none" },
       "whether volumes (--image volume) cast shadows and receive them, also their own, if there "
-      "are shadows: @choices@ (both)",
-      [&all](std::size_t place) {
-        all.VolumesCast = place < 2;
-        all.VolumesReceive = place % 2 == 0;
-      })
+      "are shadows: @choices@ (both)")
     .NamedIn("Look", "Volume shadows");
   AddOfStage(rows, all.Stages, "--shadow-size N", "shadows", "map_size", "Side of each shadow map")
     .NamedIn("Light", "Map size");
@@ -144,14 +132,14 @@ void AddShadowOptions(OptionRows& rows, RenderOptions& all)
     .Add("--certify", "N",
       "checks N shadow verdicts, chosen at random, by rays in double precision, and prints "
       "the share of wrong ones with its 95 % bound",
-      all, TakeCertify)
+      [](const std::string& word) { ParseWhole("--certify", word, 1, MostCertified); })
     .RefuseLens("it checks only a pinhole's picture")
     .OfOutputs = true;
 }
 
 //------------------------------------------------------------------------------
 // Rejects options about shadows that have no effect without shadows.
-void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>& given)
+void CheckShadowsAsked(const RenderOptions& options)
 {
   const auto find = [&options](const std::string& parameter) {
     return FindStageChoice(options.Stages, "shadows", parameter);
@@ -159,8 +147,8 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
   const bool asked = find("enabled") ||
     std::any_of(options.Layers.begin(), options.Layers.end(),
       [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) >= 0; });
-  const bool sizes = given.count("--shadow-size") > 0;
-  const bool softens = given.count("--soft-shadows") > 0;
+  const bool sizes = options.Has("--shadow-size");
+  const bool softens = options.Has("--soft-shadows");
   if (!asked && (sizes || softens))
   {
     throw UsageError(std::string(sizes ? "--shadow-size: there are no shadows to size"
@@ -168,7 +156,7 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
       ": give --shadows map, --stage shadows, or a layer shadow_N, as well");
   }
   const std::string* method = find("method");
-  if (given.count("--colored-shadows") && options.Image.Is != ImageChoice::Kind::Volume &&
+  if (options.Has("--colored-shadows") && options.Image.Is != ImageChoice::Kind::Volume &&
     (!method || *method != "exact"))
   {
     throw UsageError("--colored-shadows: shadow maps store no colour of surfaces: give --shadows "

@@ -10,7 +10,6 @@
 #include "SceneNames.h"
 #include "Values.h" // for NamedWords
 
-#include <set>
 #include <string>
 
 namespace scene
@@ -23,11 +22,11 @@ void AddShadowOptions(OptionRows& rows, RenderOptions& options);
 /// Shows shadows by maps, unless options say otherwise.
 void ShowShadows(RenderOptions& options, const NamedWords& parameters = {});
 
-/// Checks that the goals fit the `given` options; a goal of accuracy or speed switches shadows on.
-void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& given);
+/// Checks that the goals fit the other options; a goal of accuracy or speed switches shadows on.
+void CheckShadowWishes(RenderOptions& options);
 
 /// Rejects options about shadows that have no effect without shadows.
-void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>& given);
+void CheckShadowsAsked(const RenderOptions& options);
 
 /// Whether any option shows shadows in the picture.
 bool ShowsShadows(const RenderOptions& options);

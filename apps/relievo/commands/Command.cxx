@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <set>
 
 namespace cli
 {
@@ -184,7 +185,7 @@ std::string Command::NameOptions(const std::string& text) const
 }
 
 //------------------------------------------------------------------------------
-std::set<std::string> Command::Take(const std::vector<std::string>& words)
+void Command::Take(const std::vector<std::string>& words)
 {
   static const std::set<std::string> apart = { "-o", "--out", "--part", "--allow-folder",
     "--rays" };
@@ -199,17 +200,15 @@ std::set<std::string> Command::Take(const std::vector<std::string>& words)
       };
     }
   }
-  std::set<std::string> given =
-    words::TakeArguments(words, command, [this](const std::string& word) {
-      if (this->Rows.Use.empty())
-      {
-        const vtkRelievoOption& first = this->Rows.Options.front();
-        throw words::UsageError(this->Rows.Name + ": got '" + word +
-          "', expected options; the file is given as " + first.GetUse());
-      }
-      this->Names.push_back(word);
-    });
-  return given;
+  words::TakeArguments(words, command, [this](const std::string& word) {
+    if (this->Rows.Use.empty())
+    {
+      const vtkRelievoOption& first = this->Rows.Options.front();
+      throw words::UsageError(this->Rows.Name + ": got '" + word +
+        "', expected options; the file is given as " + first.GetUse());
+    }
+    this->Names.push_back(word);
+  });
 }
 
 //------------------------------------------------------------------------------

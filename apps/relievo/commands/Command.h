@@ -10,7 +10,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -79,7 +78,7 @@ protected:
   std::string NameOptions(const std::string& text) const;
 
   /// Passes values to the options. Plain words become Names; names of meshes are checked.
-  std::set<std::string> Take(const std::vector<std::string>& words);
+  void Take(const std::vector<std::string>& words);
   void TakeMeshes(const std::vector<std::string>& words);
 
   vtkRelievoCommand Rows;
