@@ -64,8 +64,8 @@ contributes most. Shadows are switched on by
     shadows.SetPropCasts(actor, shadows.CASTS_NEVER)  # or CASTS_ALWAYS, CASTS_IF_OPAQUE (default)
     shadows.SetPropReceives(actor, False)
 
-Wrong arguments raise ValueError, file errors OSError and drawing errors RuntimeError; each message
-says what was given. The package also contains the wrapped classes (vtkRelievoPass,
+Invalid arguments raise ValueError, file errors OSError and drawing errors RuntimeError; each
+message says what was given. The package also contains the wrapped classes (vtkRelievoPass,
 vtkRelievoEXRWriter, ...), and the VTK that it is built on, as relievo.vtk:
 
     from relievo.vtk.vtkRenderingCore import vtkRenderer

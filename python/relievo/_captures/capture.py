@@ -73,7 +73,7 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
     holds the camera: worldToCamera, worldToNDC (16 doubles, by rows), near, far, relievo:origin,
     and lights. depth and range are float in world units, position is double in world space.
 
-    Raises ValueError for wrong arguments, such as a layer that no data has or a size above
+    Raises ValueError for invalid arguments, such as a layer that no data has or a size above
     the limit, and RuntimeError if the layers cannot be drawn, or there is no display.
     """
     layers = _names(layers)
@@ -199,13 +199,13 @@ def _check_drawn(watch, source, frame, renderer, names):
         frame.GetStage(i).GetReasonCode() in ("failed", "refused")
         for i in range(frame.GetNumberOfStages())
     )
-    wrong_name = not failed and source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
-    for name in names if wrong_name else ():
+    unknown_name = not failed and source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
+    for name in names if unknown_name else ():
         error = why_not(name, renderer, None)  # lists the existing arrays
         if error:
             hint = NEEDS_MOMENT if name in FLOW_LAYERS else ""
             raise ValueError(f"capture: {error}{hint}")
-    watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(names)}")
+    watch.raise_as(ValueError if unknown_name else RuntimeError, f"capture {', '.join(names)}")
 
 
 def _viewport_of(renderer):

@@ -113,8 +113,8 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
 
     Returns a Comparison. docs/compare.md describes the causes, and the reason for each limit.
 
-    Raises ValueError for wrong arguments and frames that cannot be compared, OSError for files that
-    cannot be read, RuntimeError if a frame cannot be drawn.
+    Raises ValueError for invalid arguments and frames that cannot be compared, OSError for files
+    that cannot be read, RuntimeError if a frame cannot be drawn.
     """
     comparison = vtkRelievoFrameComparison()
     for name, value, most in (("levels", levels, 255), ("normal_angle", normal_angle, 180),
@@ -165,7 +165,7 @@ def write_baseline(path, thing, size=None, names=None, portable=False) -> None:
     The file has the picture, depth, normals, albedo, ids, shadows, the layers of stages that ran,
     and a record of objects, camera, lights, settings and versions (docs/compare.md).
 
-    Raises ValueError for wrong arguments, OSError if the file cannot be written, RuntimeError if
+    Raises ValueError for invalid arguments, OSError if the file cannot be written, RuntimeError if
     the frame cannot be drawn.
     """
     path = path_of(path, "path")

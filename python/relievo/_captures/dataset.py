@@ -122,7 +122,7 @@ lens: the camera for poses from a text or a file: a text or a calibration's file
 categories: {{category: [objects]}} for the formats coco, yolo and kitti: names of objects, or
     patterns with * and ?; other objects are categories of their own.
 
-Returns the number of views written. Raises ValueError for wrong arguments, such as settings
+Returns the number of views written. Raises ValueError for invalid arguments, such as settings
 other than those that the folder was begun with, OSError for files that cannot be written or
 read, RuntimeError if drawing fails, TypeError if `vary` returns something that JSON does not have,
 and the errors of `vary` itself.
@@ -200,8 +200,8 @@ def _name_objects(writer, renderer, objects):
         return
     names = list(objects) if isinstance(objects, Iterable) else [objects]
     count = renderer.GetActors().GetNumberOfItems()
-    wrong = [name for name in names if not (name is None or isinstance(name, str))]
-    if len(names) != count or wrong:
+    invalid = [name for name in names if not (name is None or isinstance(name, str))]
+    if len(names) != count or invalid:
         raise ValueError(f"objects: got {objects!r}, expected {count} names, one for each of "
                          "renderer.GetActors()")
     for number, name in enumerate(names):

@@ -32,7 +32,7 @@ def write_gltf(path, thing, up=None, names=None, check=True) -> list:
     Returns a list of sentences about the parts that the file leaves out or changes. docs/gltf.md
     says how colours, materials and lights are written.
 
-    Raises ValueError for wrong arguments, OSError if the file cannot be written, RuntimeError if
+    Raises ValueError for invalid arguments, OSError if the file cannot be written, RuntimeError if
     nothing can be exported, or if the file differs from the scene.
     """
     path = path_of(path, "path")

@@ -120,7 +120,7 @@ tone: whether the stage `tone` maps the sum of the picture's and the renderer's 
 Returns the vtkRelievoEnvironment, None for None. Another call replaces it. Roughness above 0 takes
 a second.
 
-Raises ValueError for a wrong argument or an image of another shape, OSError (FileNotFoundError)
+Raises ValueError for an invalid argument or an image of another shape, OSError (FileNotFoundError)
 if the file cannot be read; then nothing is changed.
 """
 

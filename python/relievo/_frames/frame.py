@@ -84,7 +84,7 @@ vtkRelievoPass = Frame
 
 
 def kept_of(renderer):
-    """The KeptFrame of the renderer (_keep.py), or None."""
+    """The RendererFrame of the renderer (_keep.py), or None."""
     return getattr(renderer, "relievo_kept", None)
 
 

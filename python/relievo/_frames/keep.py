@@ -41,13 +41,13 @@ def detach(renderer) -> bool:
 
 
 def kept(renderer, attach=False):
-    """The KeptFrame of a renderer; if it has none, a new one or, without `attach`, None."""
+    """The RendererFrame of a renderer; if it has none, a new one or, without `attach`, None."""
     found = kept_of(renderer)
     if found is not None and found.detached():
         found.let_go()
         found = None
     if found is None and attach:
-        found = KeptFrame(renderer)
+        found = RendererFrame(renderer)
         # VTK keeps attributes as long as the object lives; PyVista's renderers refuse new ones.
         object.__setattr__(renderer, "relievo_kept", found)
     return found
@@ -66,7 +66,7 @@ def _has_within(outer, frame):
     return any(_has_within(each, frame) for each in inner)
 
 
-class KeptFrame:
+class RendererFrame:
     """The frame of one renderer: around a pass that is set later, or within it."""
 
     def __init__(self, renderer):

@@ -26,7 +26,7 @@ def scale_bar(renderer, unit=None, length=None) -> vtkRelievoScaleBar:
 
     Returns the vtkRelievoScaleBar. Another call replaces the bar.
 
-    Raises ValueError for a wrong argument.
+    Raises ValueError for an invalid argument.
     """
     inner = need_renderer(renderer)
     if unit is not None and (not isinstance(unit, str) or "\n" in unit):

@@ -33,9 +33,9 @@ def _set_points(made, name, points):
     is_props = all(is_a(each, "vtkProp3D") for each in props)
     if hasattr(made, "AddActor") and (several or is_props):
         if not props or not is_props:
-            wrong = next((each for each in props if not is_a(each, "vtkProp3D")), points)
+            other = next((each for each in props if not is_a(each, "vtkProp3D")), points)
             raise ValueError(
-                f"{name}: points: got {described(wrong)}, expected vtkProp3Ds, or points, n x 3"
+                f"{name}: points: got {described(other)}, expected vtkProp3Ds, or points, n x 3"
             )
         for each in props:
             made.AddActor(each)
@@ -160,7 +160,7 @@ def _describe(stage, made):
     return "\n".join(lines) + (
         f"\n\nReturns the {made.GetClassName()}; attach(renderer).GetStage"
         f'("{stage.GetStageName()}").RemovePoints(it) takes it away.\n'
-        "Raises ValueError for wrong arguments; then nothing is changed.\n"
+        "Raises ValueError for invalid arguments; then nothing is changed.\n"
     )
 
 

@@ -42,8 +42,8 @@ def write_exr(path, image, compression="zip", pixel_types=None) -> None:
     0xFFFFFFFF) and so on, arrays as NAME.V; the camera and the lights are attributes. position is
     written relative to the attribute relievo:origin. docs/exr.md has all names.
 
-    Raises ValueError for a wrong argument or for values that a pixel type cannot hold, OSError if
-    the file cannot be written (its errno says why: ENOSPC on a full disk, for example).
+    Raises ValueError for an invalid argument or for values that a pixel type cannot hold, OSError
+    if the file cannot be written (its errno says why: ENOSPC on a full disk, for example).
     """
     path = path_of(path, "path")
     suffix = os.path.splitext(path)[1].lower()

@@ -130,7 +130,7 @@ def write_png(path, image, name=None, transparent=False) -> None:
 
     color is written as sRGB, other layers as picture() shows them.
 
-    Raises ValueError for wrong arguments, OSError if the file cannot be written.
+    Raises ValueError for invalid arguments, OSError if the file cannot be written.
     """
     name_of_file = os.fsdecode(path) if isinstance(path, (str, bytes, os.PathLike)) else ""
     if os.path.splitext(name_of_file)[1].lower() != ".png":

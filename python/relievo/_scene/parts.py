@@ -95,7 +95,7 @@ def parts(job, n) -> list[Part]:
 
     Parts can be pickled: concurrent.futures, joblib, dask.distributed and submitit take them as
     functions without arguments. The result of merge() does not depend on n, nor on the order in
-    which the parts ran. Raises ValueError for wrong arguments.
+    which the parts ran. Raises ValueError for invalid arguments.
     """
     try:
         words = tuple(shlex.split(job)) if isinstance(job, str) else tuple(map(os.fspath, job))
@@ -120,7 +120,7 @@ def merge(parts) -> str:
 
     parts: the list from parts(), all of them complete; or the folder of the parts.
 
-    The result is that of a single process, byte for byte. Raises ValueError for wrong arguments,
+    The result is that of a single process, byte for byte. Raises ValueError for invalid arguments,
     RuntimeError if parts are missing or damaged, or the result cannot be written.
     """
     directory = _directory(parts)
@@ -137,7 +137,7 @@ def verify(parts) -> str:
     parts: as for merge().
 
     Returns "" if everything is complete, otherwise a text that lists parts that are missing,
-    damaged, or made by another version. Raises ValueError for wrong arguments, RuntimeError if
+    damaged, or made by another version. Raises ValueError for invalid arguments, RuntimeError if
     the folder cannot be checked.
     """
     done = _run(["verify", "--", _directory(parts)], good=(0, 3))
@@ -167,7 +167,7 @@ def status(parts) -> list[PartStatus]:
     parts: as for merge(). After merge() the list is empty.
 
     Changes nothing, and may be called while parts run, on any machine that has the folder. Raises
-    ValueError for wrong arguments and for a folder that no job has begun.
+    ValueError for invalid arguments and for a folder that no job has begun.
     """
     top = pathlib.Path(_directory(parts))
     if not any((top / name).exists() for name in ("dataset.json", "frames.json", "parts.json")):

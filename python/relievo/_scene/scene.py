@@ -161,7 +161,7 @@ class Scene:
         (seconds, view), where a view is a vtkCamera or (position, focal point, up direction).
         fps: frames per second (25). png: a path with %d or %04d, the number of the frame.
         resume: draws only the frames whose PNG files do not exist; it needs png.
-        Raises ValueError for wrong arguments, OSError for files, RuntimeError for failed drawing.
+        Raises ValueError for invalid arguments, OSError for files, RuntimeError for failed drawing.
         """
         outputs = {"video": video, "turntable": turntable, "fps": fps, "png": png, "resume": resume}
         if camera_path is None or isinstance(camera_path, (bytes, str, os.PathLike)):
@@ -297,8 +297,8 @@ def _describe():
 
 files: in formats that `relievo --help` lists. Options are those of the command, with _ for -: text
 as behind the option, a number, a tuple of numbers, True for an option without a value; a list for
-one that may be repeated. Raises ValueError for wrong options; FileNotFoundError, IsADirectoryError
-or another OSError for a file that cannot be opened, at once, and OSError for one that cannot be
+one that may be repeated. Raises ValueError for invalid options; FileNotFoundError,
+IsADirectoryError or another OSError for a file that cannot be opened, at once, and OSError for one that cannot be
 read or written; RuntimeError for drawing that fails.
 
 '''

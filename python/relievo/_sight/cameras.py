@@ -36,7 +36,7 @@ class CameraModel:
     model: the VTK object behind it, a vtkRelievo…Camera or vtkRelievoLidar.
     size: (columns, rows). R, t: the pose; see pose().
 
-    Raises ValueError for wrong arguments, as all camera classes do.
+    Raises ValueError for invalid arguments, as all camera classes do.
     """
 
     def __init__(self, model: Any, size: Sequence[int] | None, R: ArrayLike | None,
@@ -126,7 +126,7 @@ class Pinhole(CameraModel):
     distortion: k1, k2[, p1, p2[, k3[, k4, k5, k6]]] of Brown and Conrady, in OpenCV's order.
     size: (columns, rows). R, t: the pose; see CameraModel.pose.
 
-    Raises ValueError for wrong arguments.
+    Raises ValueError for invalid arguments.
     """
 
     def __init__(self, K: ArrayLike, size: Sequence[int], R: ArrayLike | None = None,
@@ -165,7 +165,7 @@ class Fisheye(Pinhole):
 
     size: (columns, rows). R, t: the pose; see CameraModel.pose.
 
-    Raises ValueError for wrong arguments.
+    Raises ValueError for invalid arguments.
     """
 
     def __init__(self, K: ArrayLike, size: Sequence[int], D: ArrayLike = (),
@@ -180,7 +180,7 @@ class Division(Pinhole):
 
     size: (columns, rows). R, t: the pose; see CameraModel.pose.
 
-    Raises ValueError for wrong arguments.
+    Raises ValueError for invalid arguments.
     """
 
     def __init__(self, K: ArrayLike, size: Sequence[int], k: float, R: ArrayLike | None = None,
@@ -197,7 +197,7 @@ class Equirectangular(CameraModel):
 
     R, t: the pose; see CameraModel.pose.
 
-    Raises ValueError for wrong arguments.
+    Raises ValueError for invalid arguments.
     """
 
     def __init__(self, size: Sequence[int], field: Sequence[float] = (360, 180),
@@ -213,7 +213,7 @@ class Cube(CameraModel):
 
     R, t: the pose; see CameraModel.pose.
 
-    Raises ValueError for wrong arguments.
+    Raises ValueError for invalid arguments.
     """
 
     def __init__(self, face: int, R: ArrayLike | None = None, t: ArrayLike | None = None) -> None:
@@ -228,7 +228,7 @@ class Orthographic(CameraModel):
 
     pixels_per_unit: above 0. size: (columns, rows). R, t: the pose; see CameraModel.pose.
 
-    Raises ValueError for wrong arguments.
+    Raises ValueError for invalid arguments.
     """
 
     def __init__(self, pixels_per_unit: float, size: Sequence[int],
@@ -275,7 +275,7 @@ class Pushbroom(CameraModel):
     focal_length, center: pixels; center None for the middle. size: (columns, rows). R, t: the pose
     of row 0; see CameraModel.pose.
 
-    Raises ValueError for wrong arguments.
+    Raises ValueError for invalid arguments.
     """
 
     def __init__(self, focal_length: float, velocity: ArrayLike, size: Sequence[int],
@@ -311,7 +311,7 @@ class Lidar(CameraModel):
 
     R, t: the pose; see CameraModel.pose.
 
-    Raises ValueError for wrong arguments.
+    Raises ValueError for invalid arguments.
     """
 
     def __init__(self, elevations: ArrayLike, steps: int | None = None,
@@ -438,7 +438,7 @@ words: {vtkRelievoCalibration.GetForms(True)}, each
 size: (columns, rows) of the picture; None for the file's. A file's K is scaled to it.
 view_angle: degrees that the height of the picture spans, where the words say neither.
 
-R, t: the pose; see CameraModel.pose. Returns a CameraModel. Raises ValueError for wrong words
+R, t: the pose; see CameraModel.pose. Returns a CameraModel. Raises ValueError for invalid words
 and sizes and for files that are no calibrations, OSError for a file that cannot be read.
 """
 

@@ -120,7 +120,7 @@ class Rays:
         progress: called with the share done after every 65536 rays; if it returns False, the call
             ends with a RuntimeError.
 
-        Raises ValueError for wrong arguments. Rays that are not finite hit nothing.
+        Raises ValueError for invalid arguments. Rays that are not finite hit nothing.
         """
         hits = vtkTable()
         count = self._ask(
@@ -258,7 +258,7 @@ def rays(*things) -> Rays:
         and matrices; without them, hits have numbers of props, cells and points, but `props` are
         None.
 
-    Returns Rays. Raises ValueError for wrong arguments, also for a file that is damaged or of
+    Returns Rays. Raises ValueError for invalid arguments, also for a file that is damaged or of
     another scene, and OSError for a file that cannot be opened. All functions that follow rays
     raise MemoryError if the tree of their meshes does not fit into the memory left. A renderer's
     props that rays do not support (volumes, lines, points, wireframes, cut-outs) are left out

@@ -209,7 +209,7 @@ def scatter(actors, random, area, up="y", height=0.0, fixed=(), tries=200) -> nu
     A body topples from an orientation that is uniform at random until its centre of mass lies over
     the points that touch the plane. Overlap is decided by rays along all edges, in double.
 
-    Returns the matrices (n, 4, 4). Raises ValueError for wrong arguments, RuntimeError if a body
+    Returns the matrices (n, 4, 4). Raises ValueError for invalid arguments, RuntimeError if a body
     finds no place; then all actors stay as they were.
     """
     if up not in _AXES:

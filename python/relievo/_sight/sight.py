@@ -116,7 +116,7 @@ def visible(thing, cameras, occluders=(), size=None, cloud=False) -> vtkPolyData
     two-sided, whatever their culling. The points also have the array actor. Props that rays do not
     support are left out with a RuntimeWarning.
 
-    Raises ValueError for wrong arguments.
+    Raises ValueError for invalid arguments.
     """
     filter_ = vtkRelievoVisibility()
     for each in _listed(cameras):
@@ -183,7 +183,7 @@ occluders: other data that also hide it, one or a list.
 {describe_all(vtkRelievoViewshed(), _OF_VIEWSHED)}
 
 Returns vtkPolyData with the point array seen. An observer sees a place if no triangle meets the
-straight line between them, in double. Raises ValueError for wrong arguments, and for observers
+straight line between them, in double. Raises ValueError for invalid arguments, and for observers
 that are not above the mesh.
 """
 
@@ -354,7 +354,7 @@ Returns vtkPolyData with the arrays sun_hours, insolation (hours times the cosin
 sun and the normal) and sky_view (share of a uniform sky's light, 0 to 1), and the field data
 possible_hours. With irradiance also, in kWh/m2, irradiation, its parts direct_irradiation,
 diffuse_irradiation and reflected_irradiation, the bound of its error, irradiation_bound,
-sun_hours_bound, and the field data open_irradiation. Raises ValueError for wrong arguments.
+sun_hours_bound, and the field data open_irradiation. Raises ValueError for invalid arguments.
 """
 
 
@@ -400,7 +400,7 @@ def view_factors(mesh, groups, tolerance=0.01, occluders=(), seed=0) -> ViewFact
     Each row of factors, with nothing and others, adds up to 1. Both directions of a pair have rays
     of their own: areas times factors are symmetric within the bounds.
 
-    Raises ValueError for wrong arguments.
+    Raises ValueError for invalid arguments.
     """
     filter_ = vtkRelievoViewFactors()
     set_value("view_factors", filter_, "tolerance", tolerance)
@@ -509,7 +509,7 @@ the cell) and candidates (number of candidates that see it), and the field data 
 of the weighted area), reachable (part that all candidates together cover) and bound (no choice of
 k places covers a larger part). The chosen places, in their order, have the arrays candidate (its
 index), gain (the part that it adds) and share (the part covered so far). Raises ValueError for
-wrong arguments.
+invalid arguments.
 """
 
 
@@ -536,7 +536,7 @@ def moment(thing, camera=None, size=None, point_ids=None) -> Moment:
     point_ids: name of a point array of integers that identifies points when the data are meshed
         anew; None: points are identified by their index, and changed cells have no flow.
 
-    Raises ValueError for wrong arguments.
+    Raises ValueError for invalid arguments.
     """
     return Moment(thing, camera, size, point_ids)
 
@@ -556,7 +556,7 @@ def flow(before, thing, camera=None, size=None) -> vtkImageData:
 
     Returns vtkImageData of the moment's size with the layers flow (2 floats: pixels, x right, y
     down; NaN in the background), motion (3 floats: world units) and flow_valid (1 where the point
-    is now within the picture and unoccluded). Raises ValueError for wrong
+    is now within the picture and unoccluded). Raises ValueError for invalid
     arguments.
     """
     if not isinstance(before, Moment):

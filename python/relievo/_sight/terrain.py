@@ -68,7 +68,7 @@ class Terrain:
     def write(self, path: str | os.PathLike, rasters: Mapping[str, ArrayLike]) -> None:
         """Writes rasters, a dict of arrays (rows, columns) by name, as the bands of a GeoTIFF
         with the terrain's place and, if it was read from a file, its coordinate system. Cells
-        without a height, and masked ones, are written as `nodata`. Raises ValueError for wrong
+        without a height, and masked ones, are written as `nodata`. Raises ValueError for invalid
         arguments, OSError for a path that cannot be written."""
         path = path_of(path, "path")
         if not isinstance(rasters, Mapping):
@@ -126,7 +126,7 @@ def terrain(heights, transform=None, nodata=None) -> Terrain:
     Points are at the centres of the cells, in double. Each square of four is cut along the diagonal
     from its first row and column to its last ones.
 
-    Raises ValueError for wrong arguments, for rasters of less than two rows or columns and for
+    Raises ValueError for invalid arguments, for rasters of less than two rows or columns and for
     files that are no GeoTIFF, OSError for a file that cannot be read, MemoryError if the mesh does
     not fit into the memory left.
     """
