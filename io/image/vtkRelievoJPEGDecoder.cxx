@@ -144,8 +144,8 @@ vtkSmartPointer<vtkImageData> DecodeJPEG(const Bytes& bytes)
   reader->Progress.progress_monitor = CountScans;
   struct Guard
   {
-    Reader* Kept;
-    ~Guard() { jpeg_destroy_decompress(&this->Kept->Info); }
+    Reader* Owner;
+    ~Guard() { jpeg_destroy_decompress(&this->Owner->Info); }
   } const guard{ reader.get() };
   if (!Begin(reader.get(), bytes))
   {

@@ -162,8 +162,8 @@ vtkSmartPointer<vtkImageData> DecodePNG(const Bytes& bytes)
   reader.End = bytes.Data() + bytes.Size();
   struct Guard
   {
-    PNGReader& Kept;
-    ~Guard() { png_destroy_read_struct(&this->Kept.Library, &this->Kept.Info, nullptr); }
+    PNGReader& Owner;
+    ~Guard() { png_destroy_read_struct(&this->Owner.Library, &this->Owner.Info, nullptr); }
   } const guard{ reader };
   reader.Library = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, Leave, Hear);
   reader.Info = reader.Library ? png_create_info_struct(reader.Library) : nullptr;

@@ -58,7 +58,7 @@ vtkIdType At(const std::vector<vtkIdType>& of, vtkIdType corner)
 }
 
 // Corners with an invalid normal or texture coordinate get none.
-void ForgetWrong(std::vector<vtkIdType>& ofCorners, const std::vector<float>& values, int size)
+void DropInvalid(std::vector<vtkIdType>& ofCorners, const std::vector<float>& values, int size)
 {
   bool any = false;
   for (vtkIdType& each : ofCorners)
@@ -234,25 +234,25 @@ bool HasAny(const Content& content, std::vector<vtkIdType> CellList::*what)
     [what](const CellList& cells) { return !(cells.*what).empty(); });
 }
 
-std::vector<bool> FindWrong(const Content& content)
+std::vector<bool> FindInvalid(const Content& content)
 {
-  std::vector<bool> wrong;
-  if (content.WrongPoints.Count > 0)
+  std::vector<bool> invalid;
+  if (content.InvalidPoints.Count > 0)
   {
-    wrong.resize(content.Points.size() / 3);
-    for (std::size_t i = 0; i < wrong.size(); ++i)
+    invalid.resize(content.Points.size() / 3);
+    for (std::size_t i = 0; i < invalid.size(); ++i)
     {
       const double* p = content.Points.data() + 3 * i;
-      wrong[i] = std::isnan(p[0] + p[1] + p[2]);
+      invalid[i] = std::isnan(p[0] + p[1] + p[2]);
     }
   }
-  return wrong;
+  return invalid;
 }
 
 //------------------------------------------------------------------------------
 // Removes cells with invalid points; `left` gets the numbers of the others, counted from `number`.
 void RemoveCells(
-  CellList& cells, const std::vector<bool>& wrong, vtkIdType number, std::vector<vtkIdType>& left)
+  CellList& cells, const std::vector<bool>& invalid, vtkIdType number, std::vector<vtkIdType>& left)
 {
   CellList kept;
   const auto append = [](std::vector<vtkIdType>& to, const std::vector<vtkIdType>& from,
@@ -267,7 +267,7 @@ void RemoveCells(
     const vtkIdType first = cells.Starts[cell];
     const vtkIdType end = cells.Starts[cell + 1];
     if (std::none_of(cells.Points.begin() + first, cells.Points.begin() + end,
-          [&wrong](vtkIdType point) { return wrong[static_cast<std::size_t>(point)]; }))
+          [&invalid](vtkIdType point) { return invalid[static_cast<std::size_t>(point)]; }))
     {
       append(kept.Points, cells.Points, first, end);
       append(kept.TextureCoordinates, cells.TextureCoordinates, first, end);
@@ -342,10 +342,10 @@ public:
   }
 
   // Invalid points are put at a valid point's position, so that bounds stay correct.
-  void MakePoints(vtkPolyData* mesh, int type, const std::vector<bool>& wrong)
+  void MakePoints(vtkPolyData* mesh, int type, const std::vector<bool>& invalid)
   {
     const auto good =
-      static_cast<vtkIdType>(std::find(wrong.begin(), wrong.end(), false) - wrong.begin());
+      static_cast<vtkIdType>(std::find(invalid.begin(), invalid.end(), false) - invalid.begin());
     const bool none = good * 3 == static_cast<vtkIdType>(this->All.Points.size());
     const double middle[3] = {};
     vtkNew<vtkPoints> points;
@@ -354,9 +354,9 @@ public:
     for (vtkIdType i = 0; i < this->Count; ++i)
     {
       const vtkIdType from = this->GetSource(i);
-      const bool isWrong = !wrong.empty() && wrong[static_cast<std::size_t>(from)];
+      const bool isInvalid = !invalid.empty() && invalid[static_cast<std::size_t>(from)];
       points->SetPoint(
-        i, isWrong && none ? middle : this->All.Points.data() + 3 * (isWrong ? good : from));
+        i, isInvalid && none ? middle : this->All.Points.data() + 3 * (isInvalid ? good : from));
     }
     mesh->SetPoints(points);
   }
@@ -453,12 +453,12 @@ private:
 //------------------------------------------------------------------------------
 vtkIdType MakeMesh(Content& content, int typeOfPoints, bool groups, vtkPolyData* mesh)
 {
-  const std::vector<bool> wrong = FindWrong(content);
+  const std::vector<bool> invalid = FindInvalid(content);
   const bool isCloud = std::all_of(std::begin(content.Cells), std::end(content.Cells),
     [](const CellList& cells) { return cells.States.empty(); });
-  for (std::size_t i = 0; isCloud && i < wrong.size(); ++i)
+  for (std::size_t i = 0; isCloud && i < invalid.size(); ++i)
   {
-    if (!wrong[i])
+    if (!invalid[i])
     {
       CellList& vertices = content.Cells[Verts];
       vertices.Points.push_back(static_cast<vtkIdType>(i));
@@ -471,12 +471,12 @@ vtkIdType MakeMesh(Content& content, int typeOfPoints, bool groups, vtkPolyData*
   for (CellList& cells : content.Cells)
   {
     const auto count = static_cast<vtkIdType>(cells.States.size());
-    if (!wrong.empty())
+    if (!invalid.empty())
     {
-      RemoveCells(cells, wrong, before, left);
+      RemoveCells(cells, invalid, before, left);
     }
-    ForgetWrong(cells.TextureCoordinates, content.TextureCoordinates, 2);
-    ForgetWrong(cells.Normals, content.Normals, 3);
+    DropInvalid(cells.TextureCoordinates, content.TextureCoordinates, 2);
+    DropInvalid(cells.Normals, content.Normals, 3);
     before += count;
   }
   const bool textured = HasAny(content, &CellList::TextureCoordinates);
@@ -497,7 +497,7 @@ vtkIdType MakeMesh(Content& content, int typeOfPoints, bool groups, vtkPolyData*
   mesh->SetPolys(ToCells(content.Cells[Polys]));
 
   PointArrays arrays(content, splitter.GetUses());
-  arrays.MakePoints(mesh, typeOfPoints, wrong);
+  arrays.MakePoints(mesh, typeOfPoints, invalid);
   if (normals)
   {
     arrays.AddNormals(mesh);
@@ -522,12 +522,12 @@ vtkIdType MakeMesh(Content& content, int typeOfPoints, bool groups, vtkPolyData*
     AddStates(mesh, content, "Object", &State::Object, content.Objects);
   }
   const auto kept = static_cast<vtkIdType>(left.size());
-  if (!wrong.empty() && (kept < before || before == 0))
+  if (!invalid.empty() && (kept < before || before == 0))
   {
     const vtkSmartPointer<vtkIdTypeArray> ids = ToArray<vtkIdTypeArray>(left);
     ids->SetName("vtkOriginalCellIds");
     mesh->GetCellData()->AddArray(ids);
   }
-  return wrong.empty() ? 0 : before - kept;
+  return invalid.empty() ? 0 : before - kept;
 }
 }

@@ -97,14 +97,14 @@ void vtkRelievoOBJReader::Parse(vtkPolyData* output)
   const vtkIdType cells = MakeMesh(content,
     this->OutputPointsPrecision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE,
     this->Groups, output);
-  if (content.WrongPoints.Count > 0)
+  if (content.InvalidPoints.Count > 0)
   {
-    this->Notes.push_back("left out " + Count(content.WrongPoints.Count, "point") +
-      " with a coordinate that is no finite number" + FirstOf(content.WrongPoints) + " and the " +
+    this->Notes.push_back("left out " + Count(content.InvalidPoints.Count, "point") +
+      " with a coordinate that is no finite number" + FirstOf(content.InvalidPoints) + " and the " +
       Count(cells, "cell") + " of such points");
   }
-  for (const auto& [invalid, noun] : { std::pair(content.WrongNormals, "invalid normal"),
-         std::pair(content.WrongTextureCoordinates, "invalid texture coordinate") })
+  for (const auto& [invalid, noun] : { std::pair(content.InvalidNormals, "invalid normal"),
+         std::pair(content.InvalidTextureCoordinates, "invalid texture coordinate") })
   {
     if (invalid.Count > 0)
     {

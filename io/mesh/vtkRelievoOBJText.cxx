@@ -358,7 +358,7 @@ private:
     }
     if (std::isnan(numbers[0] + numbers[1] + numbers[2]))
     {
-      this->Out.WrongPoints.Add(this->Line);
+      this->Out.InvalidPoints.Add(this->Line);
     }
     if (count == 6 || !this->Out.Colors.empty())
     {
@@ -378,14 +378,14 @@ private:
     {
       this->In.TakeNumber(component);
     }
-    const bool wrong = !(std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]) > 0.);
-    if (wrong)
+    const bool invalid = !(std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]) > 0.);
+    if (invalid)
     {
-      this->Out.WrongNormals.Add(this->Line);
+      this->Out.InvalidNormals.Add(this->Line);
     }
     for (const double component : n)
     {
-      this->Out.Normals.push_back(static_cast<float>(wrong ? NaN : component));
+      this->Out.Normals.push_back(static_cast<float>(invalid ? NaN : component));
     }
   }
 
@@ -396,13 +396,13 @@ private:
     double v = 0.;
     this->In.TakeNumber(u);
     this->In.TakeNumber(v);
-    const bool wrong = std::isnan(u + v);
-    if (wrong)
+    const bool invalid = std::isnan(u + v);
+    if (invalid)
     {
-      this->Out.WrongTextureCoordinates.Add(this->Line);
+      this->Out.InvalidTextureCoordinates.Add(this->Line);
     }
-    this->Out.TextureCoordinates.push_back(static_cast<float>(wrong ? NaN : u));
-    this->Out.TextureCoordinates.push_back(static_cast<float>(wrong ? NaN : v));
+    this->Out.TextureCoordinates.push_back(static_cast<float>(invalid ? NaN : u));
+    this->Out.TextureCoordinates.push_back(static_cast<float>(invalid ? NaN : v));
   }
 
   //----------------------------------------------------------------------------

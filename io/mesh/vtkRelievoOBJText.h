@@ -83,9 +83,9 @@ struct Content
   NameList Groups;
   NameList Objects;
   std::vector<std::string> Libraries; // the text after each mtllib
-  Tally WrongPoints;
-  Tally WrongTextureCoordinates;
-  Tally WrongNormals;
+  Tally InvalidPoints;
+  Tally InvalidTextureCoordinates;
+  Tally InvalidNormals;
   Tally Curves; // and free-form surfaces
 };
 

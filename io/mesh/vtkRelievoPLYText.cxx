@@ -88,7 +88,7 @@ public:
       for (Column& column : element.Columns)
       {
         const int type = this->Of == Format::Text ? VTK_DOUBLE : column.Type;
-        column.Kept = kept;
+        column.Stored = kept;
         column.Values.SetType(type, this->Of == Format::Text ? sizeof(double) : column.Size);
         if (kept)
         {
@@ -294,7 +294,7 @@ private:
     }
     this->Of == Format::Text ? this->ReadWords(element, i, column, count)
                              : this->ReadBytes(element, i, column, count);
-    if (column.CountType != 0 && column.Kept)
+    if (column.CountType != 0 && column.Stored)
     {
       column.EndList(i, count);
     }
@@ -305,7 +305,7 @@ private:
     for (vtkIdType value = 0; value < count; ++value)
     {
       const double number = this->TakeWord(element, i, column.Type);
-      if (column.Kept)
+      if (column.Stored)
       {
         *static_cast<double*>(column.Values.Add(1)) = number;
       }
@@ -320,7 +320,7 @@ private:
     {
       this->RefuseEnd(element, i);
     }
-    if (column.Kept && size > 0)
+    if (column.Stored && size > 0)
     {
       char* const to = static_cast<char*>(column.Values.Add(static_cast<std::size_t>(count)));
       std::memcpy(to, this->Here, size);

@@ -95,7 +95,7 @@ struct Column
   int CountType = 0;    // of lists; 0: no list
   std::size_t Size = 0; // of a number, and of a list's length, in bytes
   std::size_t CountSize = 0;
-  bool Kept = true;
+  bool Stored = true;
   Numbers Values; // of the property's type or, from text, doubles
   // Lists: their common size, -1 before the first list; if sizes differ, 0, and Starts has the
   // beginning of each list and the end.
