@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The plugin in ParaView's window: the XML files of this folder are played in a real one.
 
-One argument: the name of the case to run; each takes a start of ParaView.
+One argument: the name of the case to run; each starts ParaView once.
 """
 
 import json
@@ -26,15 +26,16 @@ CACHE = (os.environ.get("MESA_SHADER_CACHE_DIR") or os.environ.get("XDG_CACHE_HO
 QT_MESSAGE = re.compile(r"^(critical|warning|fatal): .*(\n(?!debug:).+)*", re.MULTILINE)
 
 
-def play(script, *words, seconds=600, **environment):
-    """Plays a script in a new ParaView window; returns its output and the notes of windowShell.py.
-    """
+def play(scripts, *words, seconds=600, **environment):
+    """Plays scripts one after the other in a new ParaView window; returns its output and the notes
+    of windowShell.py."""
     home = pv.OUTPUT / "home"
     shutil.rmtree(home, ignore_errors=True)
     home.mkdir(mode=0o700)
     notes = pv.OUTPUT / "notes.jsonl"
     notes.unlink(missing_ok=True)
-    command = [str(pv.TOOLS / "paraview"), "--dr", "--exit", f"--test-script={HERE / script}",
+    command = [str(pv.TOOLS / "paraview"), "--dr", "--exit",
+               *(f"--test-script={HERE / script}" for script in scripts),
                f"--test-directory={pv.OUTPUT}",
                f"--data-directory={pathlib.Path(pv.PLUGIN).parent}", *words]
     process = subprocess.run(
@@ -42,7 +43,7 @@ def play(script, *words, seconds=600, **environment):
                       "PYTHONPATH": str(HERE), "MESA_SHADER_CACHE_DIR": CACHE, **environment},
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=seconds, check=False,
         text=True, errors="replace")
-    (pv.OUTPUT / f"{script}.log").write_text(process.stdout, encoding="utf-8")
+    (pv.OUTPUT / f"{scripts[0]}.log").write_text(process.stdout, encoding="utf-8")
     found = {}
     if notes.exists():
         found = dict(json.loads(line) for line in notes.read_text(encoding="utf-8").splitlines())
@@ -50,17 +51,17 @@ def play(script, *words, seconds=600, **environment):
 
 
 class Window(pv.Test):
-    """One case is one window."""
+    """Each case starts one window."""
 
-    def played(self, script, *words, **environment):
-        """Plays a script that must succeed without a message; returns its notes."""
-        process, notes = play(script, *words, **environment)
+    def played(self, *scripts, words=(), **environment):
+        """Plays scripts that must succeed without a message; returns their notes."""
+        process, notes = play(scripts, *words, **environment)
         said = pv.messages(process.stdout)
         said += [found.group(0) for found in QT_MESSAGE.finditer(process.stdout)]
-        self.assertEqual(said, [], f"{script}: ParaView has something to say")
+        self.assertEqual(said, [], f"{scripts}: ParaView has something to say")
         self.assertNotIn("exception", notes, notes.get("exception"))
         self.assertEqual(process.returncode, 0, process.stdout[-2000:])
-        self.assertIn("Success =  true", process.stdout)
+        self.assertEqual(process.stdout.count("Success =  true"), len(scripts))
         return notes
 
     def testLoadByManager(self):
@@ -78,11 +79,6 @@ class Window(pv.Test):
         darker = (before.astype(int) - on.astype(int)).min(axis=2) > 20
         self.assertGreater(darker.sum(), 200)
         self.assertFalse((on.astype(int) - before.astype(int) > 1).any(), "nothing gets lighter")
-
-    def testPanelTimes(self):
-        """The dock has times of the stages that ran while it is open, none when closed."""
-        notes = self.played("panelTimes.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
-        self.assertEqual(notes["shadows"][0]["RelievoShadows"], 1)
 
     def testDockControls(self):
         """The dock's controls change only their own settings."""
@@ -132,16 +128,12 @@ class Window(pv.Test):
         self.assertEqual(notes["undone"], [both])
         self.assertEqual(notes["back"], [both])
 
-    def testFields(self):
-        """Files are read when their names are finished; arrays; the dock of a comparative view."""
-        notes = self.played("fields.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
-        self.assertEqual(notes["typed"], [""])
-        self.assertEqual(notes["finished"], ["a.png"])
-        self.assertEqual(notes["chosen"], ["Normals"], "the one array of three components")
-
-    def testLayersMenus(self):
-        """Relievo Layers and Depth To Points by the menus, of a view that is not the active one."""
-        notes = self.played("layersMenus.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
+    def testThree(self):
+        """Relievo Layers and Depth To Points by the menus, of a view that is not the active one.
+        Files are read when their names are finished; arrays; the dock of a comparative view. The
+        dock has times of the stages that ran while it is open, none when closed."""
+        notes = self.played("layersMenus.xml", "fields.xml", "panelTimes.xml",
+                            PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))  # fmt: skip
         first, again = notes["first"], notes["again"]
         for each in (first, again):
             self.assertTrue(each["first"])
@@ -151,12 +143,16 @@ class Window(pv.Test):
         self.assertGreater(again["mean"], first["mean"] + 0.01)
         self.assertEqual(notes["points"], again["seen"])
         self.assertIsNone(notes["closed"])
+        self.assertEqual(notes["typed"], [""])
+        self.assertEqual(notes["finished"], ["a.png"])
+        self.assertEqual(notes["chosen"], ["Normals"], "the one array of three components")
+        self.assertEqual(notes["shadows"][0]["RelievoShadows"], 1)
 
     def testRemote(self):
         """Loaded on a server and here: an already open view, and the cost of the server's pictures.
         """
         with pv.Server() as server:
-            notes = self.played("remote.xml", f"--server-url=cs://localhost:{server.port}")
+            notes = self.played("remote.xml", words=[f"--server-url=cs://localhost:{server.port}"])
         self.assertEqual(pv.messages(server.text()), [], "the server has something to say")
         self.assertTrue(notes["server draws"])
         self.assertEqual(notes["on"][0]["RelievoShadows"], 1)
