@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """New options of `relievo render`: one that sets a parameter of a stage takes a row with that
 stage's others and one in the page; another takes a member, and a row with its use, in the class
-that uses it; a flag takes a row, its use and the page, and no member. After that the parser, the help, the completion, the manual page, Python, the viewer
-and its copied programs have them, and data sets take them. For testNewPass.py, which builds the
-tree anyway.
+that uses it; a flag takes a row, its use and the page, and no member. After that the parser, the
+help, the completion, the manual page, Python, the viewer and its copied programs have them, and
+data sets take them. For testNewPass.py, which builds the tree anyway.
 """
 
 import os

@@ -298,8 +298,8 @@ def _describe():
 files: in formats that `relievo --help` lists. Options are those of the command, with _ for -: text
 as behind the option, a number, a tuple of numbers, True for an option without a value; a list for
 one that may be repeated. Raises ValueError for invalid options; FileNotFoundError,
-IsADirectoryError or another OSError for a file that cannot be opened, at once, and OSError for one that cannot be
-read or written; RuntimeError for drawing that fails.
+IsADirectoryError or another OSError for a file that cannot be opened, at once, and OSError for one
+that cannot be read or written; RuntimeError for drawing that fails.
 
 '''
     for name, row in _OPTIONS.items():
