@@ -295,10 +295,10 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeCamera(vtkCamera* view, int co
     return nullptr;
   }
   const SensorKind& kind = *FindKind(this->Kind);
-  const std::string wrongSize = kind.CheckSize ? kind.CheckSize(columns, rows) : "";
-  if (!wrongSize.empty())
+  const std::string sizeError = kind.CheckSize ? kind.CheckSize(columns, rows) : "";
+  if (!sizeError.empty())
   {
-    this->Fail(wrongSize);
+    this->Fail(sizeError);
     return nullptr;
   }
   // Equal shape, up to rounding.

@@ -191,7 +191,7 @@ private:
   std::size_t Count = 0;
 };
 
-// The first document. `wrong` receives an error message, or remains empty.
+// The first document. `message` receives an error message, or remains empty.
 Json ReadYAML(const std::string& text, std::string& message)
 {
   EntryPicker picker;

@@ -21,7 +21,7 @@ bool Unpack(std::string& bytes, std::size_t most);
 nlohmann::json ReadXML(const std::string& text);
 
 // The only camera of COLMAP's cameras.txt, whose first pixel has its centre at (0.5, 0.5), in
-// OpenCV's terms. `wrong` receives an error message, or remains empty.
+// OpenCV's terms. `error` receives an error message, or remains empty.
 nlohmann::json ReadCOLMAP(const std::string& text, std::string& error);
 }
 

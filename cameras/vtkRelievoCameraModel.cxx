@@ -68,7 +68,7 @@ void vtkRelievoCameraModel::SetSize(int columns, int rows)
 //------------------------------------------------------------------------------
 void vtkRelievoCameraModel::SetExtrinsics(const double rotation[9], const double translation[3])
 {
-  double wrong = AreFinite(rotation, 9) ? 0.0 : std::numeric_limits<double>::infinity();
+  double deviation = AreFinite(rotation, 9) ? 0.0 : std::numeric_limits<double>::infinity();
   double given[3][3];
   for (int i = 0; i < 3; ++i)
   {
@@ -80,13 +80,13 @@ void vtkRelievoCameraModel::SetExtrinsics(const double rotation[9], const double
       {
         product += rotation[3 * k + i] * rotation[3 * k + j];
       }
-      wrong = std::max(wrong, std::abs(product));
+      deviation = std::max(deviation, std::abs(product));
     }
   }
-  if (!(wrong <= RotationError) || vtkMath::Determinant3x3(given) < 0.0)
+  if (!(deviation <= RotationError) || vtkMath::Determinant3x3(given) < 0.0)
   {
     vtkErrorMacro("R is not a rotation: its columns have an error of "
-      << wrong << (wrong <= RotationError ? ", and it mirrors" : "")
+      << deviation << (deviation <= RotationError ? ", and it mirrors" : "")
       << ", expected 9 numbers, row by row, of orthogonal unit vectors of determinant 1.");
     return;
   }
