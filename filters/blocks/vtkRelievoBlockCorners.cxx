@@ -233,7 +233,7 @@ void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
     hasNull[face] = std::any_of(points, points + 4, isNull);
   });
   // The first face at a vertex keeps the vertex; the others get points at the end.
-  std::vector<bool> isKept(vertices, false);
+  std::vector<bool> isUsed(vertices, false);
   std::vector<std::pair<vtkIdType, std::array<float, 3>>> kept;
   std::vector<std::pair<vtkIdType, std::array<float, 3>>> added;
   for (vtkIdType face = 0; face < surface.Faces.GetSize(); ++face)
@@ -249,11 +249,11 @@ void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
       const vtkIdType vertex = point;
       if (isNull(vertex))
       {
-        (isKept[vertex] ? added : kept).emplace_back(vertex, normal);
-        point = isKept[vertex]
+        (isUsed[vertex] ? added : kept).emplace_back(vertex, normal);
+        point = isUsed[vertex]
           ? static_cast<vtkTypeUInt32>(vertices + static_cast<vtkIdType>(added.size()) - 1)
           : point;
-        isKept[vertex] = true;
+        isUsed[vertex] = true;
       }
     }
   }

@@ -40,31 +40,31 @@ bool IsIn(const std::array<int, 6>& range, vtkIdType place, const BlockBox& box)
   return true;
 }
 
-// The indices to keep; an empty list keeps all.
-struct Kept
+// Selected indices; an empty list selects all.
+struct Selection
 {
   std::vector<vtkIdType> List;
   vtkIdType Count = 0;
   vtkIdType operator[](vtkIdType i) const { return this->List.empty() ? i : this->List[i]; }
 };
 
-Kept KeptFaces(
+Selection SelectFaces(
   const BlockSurface& surface, const BlockLabels& labels, const BlockMeshSettings& mesh)
 {
-  Kept kept;
-  kept.Count = surface.Faces.GetSize();
+  Selection selection;
+  selection.Count = surface.Faces.GetSize();
   if (mesh.HasGhosts)
   {
-    for (vtkIdType i = 0; i < kept.Count; ++i)
+    for (vtkIdType i = 0; i < selection.Count; ++i)
     {
-      if (IsIn(mesh.Kept, surface.Faces[i].Owner, labels.GetBox()))
+      if (IsIn(mesh.Included, surface.Faces[i].Owner, labels.GetBox()))
       {
-        kept.List.push_back(i);
+        selection.List.push_back(i);
       }
     }
-    kept.Count = static_cast<vtkIdType>(kept.List.size());
+    selection.Count = static_cast<vtkIdType>(selection.List.size());
   }
-  return kept;
+  return selection;
 }
 
 // Polygons of four points each: pointOf(quad, corner).
@@ -122,7 +122,7 @@ void AddLabels(int type, const char* name, vtkIdType faces, int cellsPerFace, vt
 
 // Copies the tuples of the points to keep.
 template <typename T>
-void CopyTuples(const T* from, int components, const Kept& points, T* to)
+void CopyTuples(const T* from, int components, const Selection& points, T* to)
 {
   vtkRelievoForAll(points.Count, [&](vtkIdType i) {
     std::memcpy(to + components * i, from + components * points[i], sizeof(T) * components);
@@ -130,7 +130,7 @@ void CopyTuples(const T* from, int components, const Kept& points, T* to)
 }
 
 vtkSmartPointer<vtkFloatArray> FloatsOf(
-  const float* values, int components, const Kept& points, const char* name)
+  const float* values, int components, const Selection& points, const char* name)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(name);
@@ -140,7 +140,7 @@ vtkSmartPointer<vtkFloatArray> FloatsOf(
   return array;
 }
 
-vtkSmartPointer<vtkDataArray> PointsOf(vtkDataArray* vertices, const Kept& which)
+vtkSmartPointer<vtkDataArray> PointsOf(vtkDataArray* vertices, const Selection& which)
 {
   vtkSmartPointer<vtkDataArray> points;
   points.TakeReference(vtkDataArray::CreateDataArray(vertices->GetDataType()));
@@ -160,13 +160,13 @@ vtkSmartPointer<vtkDataArray> PointsOf(vtkDataArray* vertices, const Kept& which
 }
 
 // Numbers the points that the cells use, in order, and renumbers the cells.
-Kept UsedPoints(std::vector<vtkIdType>& cells, vtkIdType count, bool all)
+Selection UsedPoints(std::vector<vtkIdType>& cells, vtkIdType count, bool all)
 {
-  Kept kept;
-  kept.Count = count;
+  Selection selection;
+  selection.Count = count;
   if (all)
   {
-    return kept;
+    return selection;
   }
   std::vector<vtkIdType> numbers(count, -1);
   for (const vtkIdType point : cells)
@@ -177,20 +177,20 @@ Kept UsedPoints(std::vector<vtkIdType>& cells, vtkIdType count, bool all)
   {
     if (numbers[i] == 0)
     {
-      numbers[i] = static_cast<vtkIdType>(kept.List.size());
-      kept.List.push_back(i);
+      numbers[i] = static_cast<vtkIdType>(selection.List.size());
+      selection.List.push_back(i);
     }
   }
   for (vtkIdType& point : cells)
   {
     point = numbers[point];
   }
-  kept.Count = static_cast<vtkIdType>(kept.List.size());
-  return kept;
+  selection.Count = static_cast<vtkIdType>(selection.List.size());
+  return selection;
 }
 
 void MarkGhosts(const BlockSurface& surface, const BlockLabels& labels,
-  const BlockMeshSettings& mesh, const Kept& faces, int cellsPerFace, vtkPolyData* output)
+  const BlockMeshSettings& mesh, const Selection& faces, int cellsPerFace, vtkPolyData* output)
 {
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
@@ -209,7 +209,7 @@ void MarkGhosts(const BlockSurface& surface, const BlockLabels& labels,
 BlockMeshReport MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
   const BlockSettings& settings, const BlockMeshSettings& mesh, vtkPolyData* output)
 {
-  const Kept faces = KeptFaces(surface, labels, mesh);
+  const Selection faces = SelectFaces(surface, labels, mesh);
   const bool fits =
     surface.Points->GetNumberOfTuples() + 12 * surface.NullNormals < VTK_TYPE_UINT32_MAX;
   const bool own = mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights ||
@@ -235,15 +235,15 @@ BlockMeshReport MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, 
   }
   const vtkIdType count =
     own ? static_cast<vtkIdType>(corners.Vertices.size()) : surface.Points->GetNumberOfTuples();
-  const Kept kept = UsedPoints(cells, count, !mesh.HasGhosts);
-  Kept vertices = kept; // the vertex of each point
+  const Selection selection = UsedPoints(cells, count, !mesh.HasGhosts);
+  Selection vertices = selection; // the vertex of each point
   if (own)
   {
-    vertices.List.resize(kept.Count);
+    vertices.List.resize(selection.Count);
     vtkRelievoForAll(
-      kept.Count, [&](vtkIdType i) { vertices.List[i] = corners.Vertices[kept[i]]; });
+      selection.Count, [&](vtkIdType i) { vertices.List[i] = corners.Vertices[selection[i]]; });
   }
-  const bool asTheyAre = vertices.List.empty() && kept.Count == count;
+  const bool asTheyAre = vertices.List.empty() && selection.Count == count;
   vtkNew<vtkPoints> points;
   points->SetData(asTheyAre ? surface.Points : PointsOf(surface.Points, vertices));
   output->SetPoints(points);
@@ -251,14 +251,14 @@ BlockMeshReport MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, 
   {
     output->GetPointData()->SetNormals(own
         ? FloatsOf(
-            corners.Normals.empty() ? nullptr : corners.Normals[0].data(), 3, kept, "Normals")
+            corners.Normals.empty() ? nullptr : corners.Normals[0].data(), 3, selection, "Normals")
         : (asTheyAre ? surface.Normals
-                     : FloatsOf(surface.Normals->GetPointer(0), 3, kept, "Normals")));
+                     : FloatsOf(surface.Normals->GetPointer(0), 3, selection, "Normals")));
   }
   if (mesh.TextureCoordinates)
   {
     output->GetPointData()->SetTCoords(
-      FloatsOf(corners.Texture.empty() ? nullptr : corners.Texture[0].data(), 2, kept,
+      FloatsOf(corners.Texture.empty() ? nullptr : corners.Texture[0].data(), 2, selection,
         "Texture Coordinates"));
   }
   if (!corners.Weights.empty())
@@ -272,7 +272,7 @@ BlockMeshReport MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, 
     }
     output->GetPointData()->AddArray(weights);
   }
-  const vtkIdType largest = std::max<vtkIdType>(6 * faces.Count + 1, kept.Count);
+  const vtkIdType largest = std::max<vtkIdType>(6 * faces.Count + 1, selection.Count);
   const auto pointOf = [&](vtkIdType quad, int corner) {
     return cells.empty() ? static_cast<vtkIdType>(surface.Faces[quad].Points[corner])
                          : cells[4 * quad + corner];

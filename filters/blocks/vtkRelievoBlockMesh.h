@@ -29,8 +29,8 @@ struct BlockMeshSettings
   int AtlasRows = 0;
   bool Weights = false;
   std::vector<vtkTypeInt64> WeightedLabels; // empty: all
-  // The blocks, numbered as in BlockBox, whose faces are kept; faces outside Owned are ghosts.
-  std::array<int, 6> Kept = {};
+  // The blocks, numbered as in BlockBox, whose faces are included; faces outside Owned are ghosts.
+  std::array<int, 6> Included = {};
   std::array<int, 6> Owned = {};
   bool HasGhosts = false; // some faces must be dropped or marked
 };

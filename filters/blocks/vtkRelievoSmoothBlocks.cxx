@@ -235,9 +235,9 @@ int vtkRelievoSmoothBlocks::RequestData(
   vtkInformation* asked = outputs->GetInformationObject(GetPort(request));
   const int levels = asked->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
   mesh.Owned = relievo::FindOwnedBlocks(image, onPoints, box, whole);
-  mesh.Kept = relievo::GrowBlocks(mesh.Owned, levels, box.Size);
+  mesh.Included = relievo::GrowBlocks(mesh.Owned, levels, box.Size);
   // One more layer for the normals at the border; its faces are dropped.
-  settings.Faces.Owners = relievo::GrowBlocks(mesh.Kept, 1, box.Size);
+  settings.Faces.Owners = relievo::GrowBlocks(mesh.Included, 1, box.Size);
   if (asked->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !this->Internal->MissedGhosts)
   {
     for (int side = 0; side < 6; ++side)
