@@ -55,14 +55,14 @@ void RemoveCells(vtkPolyData* mesh, const std::vector<vtkIdType>& infinite, Left
   vtkNew<vtkPoints> points;
   points->SetDataType(mesh->GetPoints()->GetDataType());
   points->DeepCopy(mesh->GetPoints());
-  std::vector<bool> wrong(static_cast<std::size_t>(points->GetNumberOfPoints()), false);
+  std::vector<bool> invalid(static_cast<std::size_t>(points->GetNumberOfPoints()), false);
   for (const vtkIdType point : infinite)
   {
-    wrong[static_cast<std::size_t>(point)] = true;
+    invalid[static_cast<std::size_t>(point)] = true;
   }
   double good[3];
   points->GetPoint(
-    std::distance(wrong.begin(), std::find(wrong.begin(), wrong.end(), false)), good);
+    std::distance(invalid.begin(), std::find(invalid.begin(), invalid.end(), false)), good);
   for (const vtkIdType point : infinite)
   {
     points->SetPoint(point, good); // keeps the bounds finite: no cell uses the point
@@ -80,7 +80,7 @@ void RemoveCells(vtkPolyData* mesh, const std::vector<vtkIdType>& infinite, Left
     mesh->GetCellPoints(cell, corners);
     const vtkIdType* begin = corners->GetPointer(0);
     if (std::any_of(begin, begin + corners->GetNumberOfIds(),
-          [&wrong](vtkIdType point) { return wrong[static_cast<std::size_t>(point)]; }))
+          [&invalid](vtkIdType point) { return invalid[static_cast<std::size_t>(point)]; }))
     {
       mesh->DeleteCell(cell);
       ++count.Cells;

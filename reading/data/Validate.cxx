@@ -92,9 +92,9 @@ void CheckCellArray(vtkCellArray* cells, vtkIdType numberOfPoints, const std::st
   const std::array<double, 2> range = GetRange(points);
   if (range[0] < 0 || range[1] >= static_cast<double>(numberOfPoints))
   {
-    const double wrong = range[0] < 0 ? range[0] : range[1];
+    const double index = range[0] < 0 ? range[0] : range[1];
     throw WorkError(path + ": a cell uses " + noun + " " +
-      std::to_string(static_cast<long long>(wrong)) + ", but there are " + noun + "s 0 to " +
+      std::to_string(static_cast<long long>(index)) + ", but there are " + noun + "s 0 to " +
       std::to_string(numberOfPoints - 1) + " only; is the file complete?");
   }
 }
@@ -330,14 +330,14 @@ void CheckGrid(vtkUnstructuredGrid* grid, const std::string& path)
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     const int type = grid->GetCellType(cell);
-    std::string wrong = judge.Judge(cell, type, grid->GetCells()->GetCellSize(cell));
-    if (wrong.empty() && type == VTK_POLYHEDRON)
+    std::string error = judge.Judge(cell, type, grid->GetCells()->GetCellSize(cell));
+    if (error.empty() && type == VTK_POLYHEDRON)
     {
-      wrong = JudgeFaces(grid, cell);
+      error = JudgeFaces(grid, cell);
     }
-    if (!wrong.empty())
+    if (!error.empty())
     {
-      throw WorkError(path + ": cell " + std::to_string(cell) + " is " + wrong);
+      throw WorkError(path + ": cell " + std::to_string(cell) + " is " + error);
     }
   }
 }
@@ -381,13 +381,13 @@ void CheckStructure(const int extent[6], const std::function<std::string(const d
   {
     sizes[i] = std::max(0., 1. + extent[2 * i + 1] - static_cast<double>(extent[2 * i]));
   }
-  const std::string wrong = find(sizes);
+  const std::string error = find(sizes);
   const std::string grid = std::to_string(static_cast<long long>(sizes[0])) + " x " +
     std::to_string(static_cast<long long>(sizes[1])) + " x " +
     std::to_string(static_cast<long long>(sizes[2])) + " points";
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    throw WorkError(path + ": its grid of " + grid + " " + wrong);
+    throw WorkError(path + ": its grid of " + grid + " " + error);
   }
   const double cells[3] = { sizes[0] - 1., sizes[1] - 1., sizes[2] - 1. };
   const bool flat = *std::min_element(cells, cells + 3) <= 0.;

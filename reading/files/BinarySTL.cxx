@@ -113,9 +113,9 @@ int BinarySTL::RequestData(vtkInformation*, vtkInformationVector**, vtkInformati
   this->SetErrorCode(vtkErrorCode::NoError);
   std::ifstream file(this->FileName, std::ios::binary);
   file.seekg(HeadSize);
-  std::error_code wrong;
-  const auto size = static_cast<std::size_t>(std::filesystem::file_size(this->FileName, wrong));
-  if (!file || wrong || size < HeadSize)
+  std::error_code error;
+  const auto size = static_cast<std::size_t>(std::filesystem::file_size(this->FileName, error));
+  if (!file || error || size < HeadSize)
   {
     this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
     return 1;

@@ -152,15 +152,15 @@ void Outputs::Commit()
     if (fs::is_regular_file(fs::status(entry.Place, none)))
     {
       // A hard link, so that the place is never empty; where the file system has links.
-      entry.Kept = entry.Temporary + ".old";
-      fs::create_hard_link(entry.Place, entry.Kept, trouble);
+      entry.Previous = entry.Temporary + ".old";
+      fs::create_hard_link(entry.Place, entry.Previous, trouble);
       if (trouble)
       {
-        fs::rename(entry.Place, entry.Kept, trouble);
+        fs::rename(entry.Place, entry.Previous, trouble);
       }
       if (trouble)
       {
-        entry.Kept.clear();
+        entry.Previous.clear();
         break;
       }
     }
@@ -175,7 +175,7 @@ void Outputs::Commit()
     for (const Entry& entry : this->Entries)
     {
       std::error_code none;
-      fs::remove(entry.Kept, none);
+      fs::remove(entry.Previous, none);
     }
     return;
   }
@@ -184,12 +184,12 @@ void Outputs::Commit()
   {
     const Entry& entry = this->Entries[i];
     std::error_code none;
-    if (!entry.Kept.empty())
+    if (!entry.Previous.empty())
     {
-      fs::rename(entry.Kept, entry.Place, none);
+      fs::rename(entry.Previous, entry.Place, none);
       if (!none)
       {
-        fs::remove(entry.Kept, none); // still there if both names are hard links
+        fs::remove(entry.Previous, none); // still there if both names are hard links
       }
     }
     else if (i < moved)

@@ -53,7 +53,7 @@ private:
     std::string Place;                             // Given, with links resolved
     std::string Temporary;                         // name of File
     std::unique_ptr<vtkRelievoTemporaryFile> File; // beside Place
-    std::string Kept; // name of the previous file until all are in place; empty: none
+    std::string Previous; // name of the previous file until all are in place; empty: none
   };
   std::vector<Entry> Entries;
 };

@@ -83,9 +83,9 @@ std::map<std::string, MtlMaterial> ReadLibraries(const std::vector<std::string>&
     {
       unread = { { line, ofLine } };
     }
-    for (const auto& [name, wrong] : unread)
+    for (const auto& [name, reason] : unread)
     {
-      context.Note(path + ": drawn without the materials of " + name + ": " + wrong);
+      context.Note(path + ": drawn without the materials of " + name + ": " + reason);
     }
   }
   return materials;
