@@ -135,7 +135,7 @@ StyledScene::StyledScene(const Scene& scene, const FramePoints& points)
   , Points(points)
 {
   vtkRenderer* renderer = this->Read.Renderer;
-  this->Props = this->Kept = GetProps(renderer);
+  this->Props = this->Unstyled = GetProps(renderer);
   for (vtkProp* prop : this->Props)
   {
     vtkActor* actor = vtkActor::SafeDownCast(prop);
@@ -280,7 +280,7 @@ void StyledScene::RemoveStyle()
   vtkRenderer* renderer = this->Read.Renderer;
   for (const vtkSmartPointer<vtkProp>& prop : GetProps(renderer))
   {
-    if (std::find(this->Kept.begin(), this->Kept.end(), prop) == this->Kept.end())
+    if (std::find(this->Unstyled.begin(), this->Unstyled.end(), prop) == this->Unstyled.end())
     {
       renderer->RemoveViewProp(prop);
     }
@@ -313,14 +313,14 @@ void StyledScene::RemoveSurface()
       part.Material->Attach(part.Actor);
     }
   }
-  for (const vtkSmartPointer<vtkProp>& prop : this->Kept)
+  for (const vtkSmartPointer<vtkProp>& prop : this->Unstyled)
   {
     if (std::find(this->Props.begin(), this->Props.end(), prop) == this->Props.end())
     {
       this->Read.Renderer->RemoveViewProp(prop);
     }
   }
-  this->Kept = this->Props;
+  this->Unstyled = this->Props;
 }
 
 //------------------------------------------------------------------------------
@@ -331,7 +331,7 @@ void StyledScene::ReplaceSurface(const RenderOptions& options, Progress& progres
   {
     materials.emplace_back(vtkRelievoMaterial::Get(part.Actor));
   }
-  const std::vector<vtkSmartPointer<vtkProp>> kept = this->Kept;
+  const std::vector<vtkSmartPointer<vtkProp>> kept = this->Unstyled;
   this->RemoveSurface();
   const std::vector<vtkSmartPointer<vtkProp>> before = GetProps(this->Read.Renderer);
   const auto keepNew = [this, &before] {
@@ -339,7 +339,7 @@ void StyledScene::ReplaceSurface(const RenderOptions& options, Progress& progres
     {
       if (std::find(before.begin(), before.end(), prop) == before.end())
       {
-        this->Kept.push_back(prop);
+        this->Unstyled.push_back(prop);
       }
     }
   };
@@ -369,7 +369,7 @@ void StyledScene::ReplaceSurface(const RenderOptions& options, Progress& progres
         this->Read.Renderer->AddViewProp(prop);
       }
     }
-    this->Kept = kept;
+    this->Unstyled = kept;
     throw;
   }
 }

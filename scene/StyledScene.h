@@ -106,7 +106,7 @@ private:
 
   Scene Read;
   std::vector<Part> Parts;
-  std::vector<vtkSmartPointer<vtkProp>> Props, Kept;
+  std::vector<vtkSmartPointer<vtkProp>> Props, Unstyled;
   std::vector<vtkSmartPointer<vtkLight>> Lights; // of the files
   FramePoints Points;
   RenderOptions Options;

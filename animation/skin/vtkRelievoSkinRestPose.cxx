@@ -34,7 +34,7 @@ struct PointBones
   float Weights[Most];
   int Given = 0; // includes those left out
 
-  int GetKept() const { return std::min(this->Given, Most); }
+  int GetCount() const { return std::min(this->Given, Most); }
 
   PointBones(const relievo::SkinWeights& weights, vtkIdType point, std::size_t bones)
   {
@@ -52,11 +52,11 @@ struct PointBones
   void ScaleToOne()
   {
     double sum = 0.;
-    for (int k = 0; k < this->GetKept(); ++k)
+    for (int k = 0; k < this->GetCount(); ++k)
     {
       sum += this->Weights[k];
     }
-    for (int k = 0; k < this->GetKept(); ++k)
+    for (int k = 0; k < this->GetCount(); ++k)
     {
       this->Weights[k] = static_cast<float>(this->Weights[k] / sum);
     }
@@ -65,7 +65,7 @@ struct PointBones
 private:
   void Add(int joint, float weight)
   {
-    const int kept = this->GetKept();
+    const int kept = this->GetCount();
     int at = kept;
     while (at > 0 && weight > this->Weights[at - 1])
     {
@@ -259,7 +259,7 @@ void vtkRelievoSkinRestPose::Prepare(
     {
       PointBones point(weights, i, bones);
       point.ScaleToOne();
-      const int kept = point.GetKept();
+      const int kept = point.GetCount();
       // Repeats the strongest bone, so that no unrelated matrix has an influence.
       for (int k = kept; k < Most; ++k)
       {

@@ -96,7 +96,7 @@ struct Method
 {
   const char* Name; // with a star: not offered
   int Bytes;
-  Format Kept;
+  Format Stored;
   const char* Layer;
   void (*SetUp)(vtkRelievoLayersStage*, int);
   int Setting;
@@ -217,7 +217,7 @@ Result Measure(
       }
       else
       {
-        position = method.Kept.Through(view, ray, drawn->GetComponent(i, 0));
+        position = method.Stored.Through(view, ray, drawn->GetComponent(i, 0));
       }
       // In units of a pixel's extent at that depth, across the view.
       const double span =
@@ -226,7 +226,7 @@ Result Measure(
         return static_cast<float>(glm::length(p - pixel.Position) / span);
       };
       errors.push_back(inPixels(position));
-      alone.push_back(inPixels(method.Kept.Through(view, ray, pixel.Depth)));
+      alone.push_back(inPixels(method.Stored.Through(view, ray, pixel.Depth)));
     }
   }
   result.Pixels = errors.size();

@@ -169,8 +169,8 @@ bool WorkState::IsWhole() const
 //------------------------------------------------------------------------------
 std::string WorkState::GetText(const std::string& folder) const
 {
-  const std::size_t wrong = this->Missing.size() + this->Damaged.size() + this->Foreign.size();
-  std::string text = folder + ": " + std::to_string(this->All - wrong) + " of " +
+  const std::size_t incomplete = this->Missing.size() + this->Damaged.size() + this->Foreign.size();
+  std::string text = folder + ": " + std::to_string(this->All - incomplete) + " of " +
     std::to_string(this->All) + " " + this->Items + " complete\n";
   const auto add = [&text](const char* kind, const std::vector<std::string>& names) {
     if (!names.empty())

@@ -280,7 +280,7 @@ std::string FindDifference(vtkRenderer* renderer, const std::string& file, const
   const std::set<int> coded = FindActors(renderer, HasOtherColors);
   const std::set<int> left =
     FindActors(renderer, [&partial](vtkActor* actor) { return partial.count(actor) != 0; });
-  std::array<vtkIdType, Layers> wrong{};
+  std::array<vtkIdType, Layers> different{};
   for (int y = 1; y + 1 < expected.Rows; ++y)
   {
     for (int x = 1; x + 1 < expected.Columns; ++x)
@@ -296,7 +296,7 @@ std::string FindDifference(vtkRenderer* renderer, const std::string& file, const
       alike[InColor] = alike[InColor] || coded.count(pixel.Actor) != 0;
       for (std::size_t layer = 0; layer < Layers; ++layer)
       {
-        wrong[layer] += alike[layer] ? 0 : 1;
+        different[layer] += alike[layer] ? 0 : 1;
       }
     }
   }
@@ -304,10 +304,10 @@ std::string FindDifference(vtkRenderer* renderer, const std::string& file, const
   std::string words;
   for (std::size_t layer = 0; layer < Layers; ++layer)
   {
-    if (wrong[layer] > 0)
+    if (different[layer] > 0)
     {
       words += (words.empty() ? "differs from the scene in " : ", ") + std::string(names[layer]) +
-        " of " + std::to_string(wrong[layer]) + " pixels";
+        " of " + std::to_string(different[layer]) + " pixels";
     }
   }
   return words;
