@@ -248,7 +248,7 @@ vtkRelievoSunExposure::vtkRelievoSunExposure()
   list.AddNumber(
     "minimum_elevation", this->MinimumElevation,
     [this](double degrees) { this->SetMinimumElevation(degrees); }, 0.0, 90.0, "degrees",
-    "Only times with the sun above this height count, for the light of the sky as well.");
+    "Times with a lower sun do not count, neither for its light nor for the light of the sky.");
   list.AddText(
     "time_zone", [this] { return this->TimeZone; },
     [this](const std::string& hours) { this->SetTimeZone(hours.c_str()); },
@@ -262,13 +262,13 @@ vtkRelievoSunExposure::vtkRelievoSunExposure()
   list.AddChoice(
     "irradiance", this->Irradiance, [this](int sky) { this->SetIrradiance(sky); },
     { "off", "isotropic", "perez" },
-    "The sky of which the irradiation is computed, in kWh/m2: a uniform one, or by Perez et al. "
+    "Model of the sky whose irradiation is computed, in kWh/m2: uniform, or that of Perez et al. "
     "(1990).");
   const auto lit = [](vtkRelievoParameter& parameter) { parameter.OnlyIf = "irradiance!=off"; };
   lit(list.AddNumber(
     "tolerance", this->Tolerance, [this](double percent) { this->SetTolerance(percent); }, 0.1,
     20.0, "percent",
-    "The sky is divided until the error of the irradiation is below, down to 0.3 degrees."));
+    "Tolerable error of the irradiation; the sky is divided, down to 0.3 degrees, to reach it."));
   lit(list.AddNumber(
     "albedo", this->Albedo, [this](double share) { this->SetAlbedo(share); }, 0.0, 1.0, "",
     "Share of light that the ground reflects."));
@@ -281,7 +281,7 @@ vtkRelievoSunExposure::vtkRelievoSunExposure()
   lit(list.AddText(
     "weather_file", [this] { return this->WeatherFile; },
     [this](const std::string& file) { this->SetWeatherFile(file.c_str()); },
-    "A weather file of EnergyPlus (EPW), whose hours replace the clear sky."));
+    "A weather file of EnergyPlus (EPW), whose hourly data replace the clear sky."));
 }
 
 //------------------------------------------------------------------------------

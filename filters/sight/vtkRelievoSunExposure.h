@@ -184,7 +184,7 @@ public:
 
   ///@{
   /**
-   * A weather file of EnergyPlus (EPW), whose hours replace the clear sky, by month and day.
+   * A weather file of EnergyPlus (EPW), whose hourly data replace the clear sky, by month and day.
    * Default: none.
    */
   void SetWeatherFile(RELIEVO_TEXT file);

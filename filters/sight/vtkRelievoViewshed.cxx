@@ -75,8 +75,8 @@ vtkRelievoViewshed::vtkRelievoViewshed()
   list.AddNumber("farthest_distance", vtkRelievoMember(FarthestDistance), 0.0, infinity, "",
     "The largest horizontal distance that observers see, in world units; 0: any.");
   list.AddNumber("curvature", vtkRelievoMember(Curvature), 0.0, 1.0, "",
-    "Share of the Earth's curvature that counts: 1 without refraction, 0.857 with that of light in "
-    "the usual air. World units are then metres.");
+    "Share of the Earth's curvature that counts: 1 without refraction, 0.857 with the usual "
+    "refraction of light in air. World units are then metres.");
 }
 
 //------------------------------------------------------------------------------

@@ -258,8 +258,8 @@ void AddStageOptions(OptionRows& rows, std::vector<StageChoice>& stages)
   vtkRelievoOption& deferred =
     rows
       .Add("--deferred", "",
-        "shades opaque surfaces once per pixel, after they are drawn: the same picture, but "
-        "for fill lights, faster if many surfaces overlap",
+        "shades opaque surfaces once per pixel, after they are drawn: the picture is "
+        "the same except for fill lights, and faster if many surfaces overlap",
         [&stages](const std::string&) { AddStage(stages, "deferred", "--deferred"); })
       .NamedIn("Look", "Deferred shading");
   deferred.Sets = "deferred";

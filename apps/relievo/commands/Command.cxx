@@ -102,8 +102,8 @@ void Command::AddMeshOptions(const std::string& extension, const std::string& ot
     .Missing = "no file to write; give -o FILE" + extension;
   this->AddFolderOption();
   this->AddOutput("--rays FILE.rays",
-    "keeps the trees for rays of these meshes in a file: written by the first run, shared in "
-    "memory by all later ones",
+    "stores the trees for rays of these meshes in a file: the first run writes it, and later runs "
+    "share it in memory",
     this->RayFile);
 }
 

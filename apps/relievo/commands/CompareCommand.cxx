@@ -45,7 +45,7 @@ public:
   CompareCommand()
     : Command("compare", "A B | A --render FILE... [options of render]",
         "compare explains how frame B differs from frame A: which objects, cells and lights, and "
-        "why. Exit status: 0 alike, 1 the work failed, 2 the arguments were wrong, 3 different.")
+        "why. Exit status: 0 alike, 1 the work failed, 2 the arguments were invalid, 3 different.")
   {
     this->Rows.AboutFile =
       "A and B are .exr files of `relievo render --baseline` or --exr, pictures (.png ...; then "

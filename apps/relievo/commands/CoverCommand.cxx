@@ -63,9 +63,10 @@ class CoverCommand : public Command
 public:
   CoverCommand()
     : Command("cover", "FILE...",
-        "cover chooses, among candidate places of cameras, those from which most of a mesh is "
-        "seen, and writes the mesh with the arrays covered and candidates, the numbers of chosen "
-        "and of all places that see each cell. The first FILE is the mesh, the others hide it.")
+        "cover chooses, among candidate places of cameras, the places that together see most of a "
+        "mesh, and writes the mesh with the arrays covered and candidates: for each cell the "
+        "number of chosen places that see it, and the number of all candidates that do. The first "
+        "FILE is the mesh, the others hide it.")
   {
     vtkRelievoOption& candidates = this->AddWord("--candidates FILE",
       "the points of this mesh are the candidates; its point vectors, or else its normals, are the "

@@ -113,7 +113,7 @@ public:
     this
       ->Add("--layers A,B...",
         "layers to write as floats: in layers/NUMBER.exr, with npz as arrays; flow, motion "
-        "and flow_valid go to the previous view",
+        "and flow_valid refer to the previous view",
         [this](const std::string& value) { this->TakeLayers(value); })
       .Repeats = true;
     const std::vector<std::string> kinds = { "file", "actor", "block" };

@@ -12,7 +12,7 @@ const char* const Notes =
   R"(Options are written --name value or --name=value, those without a value alone; -- ends them.
 Either all requested files are written, or none; of a sequence, those of each frame.
 VTK before 9.4 needs an X display, which xvfb-run provides.
-Exit status: 0 done, 1 the work failed, 2 the arguments were wrong; of compare 3, different.
+Exit status: 0 done, 1 the work failed, 2 the arguments were invalid; of compare 3, different.
 
 Examples
   relievo render bunny.off --png bunny.png

@@ -9,6 +9,7 @@
 #include "ReadContext.h"
 #include "Readers.h"
 #include "SightFiles.h"
+#include "Values.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -103,7 +104,8 @@ public:
     this
       ->Add("--groups KIND",
         "files: each FILE is a group; parts: each connected part of the files; array:NAME: cells "
-        "with equal whole numbers in this cell array, where negative ones have no group (files)",
+        "with equal whole numbers in this cell array; those with negative numbers have no group "
+        "(files)",
         [this](const std::string& value) { this->TakeGroups(value); })
       .Words = { "files", "parts", Array };
     vtkRelievoOption& occluder = this->Add("--occluder FILE",

@@ -26,8 +26,8 @@ class ViewshedCommand : public Command
 public:
   ViewshedCommand()
     : Command("viewshed", "FILE...",
-        "viewshed finds by rays which cells of a terrain observers see, and writes their number "
-        "for each cell as a raster on the terrain's grid, or at its points as a mesh. The first "
+        "viewshed counts by rays the observers that see each cell of a terrain, and writes the "
+        "numbers as a raster on the terrain's grid, or at its points as a mesh. The first "
         "FILE is the terrain, a GeoTIFF or a mesh with heights along z; the others hide it.")
   {
     vtkRelievoOption& observers = this->Add("--observer X,Y,HEIGHT",
