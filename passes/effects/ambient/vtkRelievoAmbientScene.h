@@ -22,7 +22,7 @@ class vtkRelievoAmbientScene
 {
 public:
   // Updates the tree, and takes a texture unit. Returns an error message, or an empty string. All
-  // processes that draw together call this, a process with an error (`wrong`) included.
+  // processes that draw together call this, also a process with an `error`.
   std::string Begin(const vtkRelievoFrameContext& context, const std::string& error);
   // Uniforms' names start with `relievo`, or with its replacement.
   void SetUniforms(vtkShaderProgram* program, const vtkRelievoFrameContext& context,
