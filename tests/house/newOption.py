@@ -57,7 +57,7 @@ def on_the_command_line(run, build, folder):
     page, words = run([relievo, "--help"]), run([relievo, "--words"])
     assert "\n  --line-width PIXELS" in page and "edges, 1 to 20 pixels (1)" in page, page
     assert "\n  --sky-rays N" in page, page
-    assert "\nrender --fast-png\n" in words, words
+    assert "\nrender --fast-png flag\n" in words, words
     for program in ("render", "dataset", "relievo-viewer"):
         for option in ("--line-width", "--sky-rays"):
             assert f"\n{program} {option} value\n" in words, words
