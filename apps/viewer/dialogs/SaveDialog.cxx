@@ -24,7 +24,7 @@ namespace viewer
 {
 namespace
 {
-const char* const KeptLayers = "saved_layers"; // in the settings: names
+const char* const LayersKey = "saved_layers"; // of QSettings: names
 constexpr int LayersHeight = 130;
 
 const QStringList UsualLayers = { "color", "depth", "position", "normal", "actor", "block",
@@ -225,7 +225,7 @@ std::optional<LayersChoice> AskLayers(QWidget* parent, const QSize& size,
   list->setWrapping(true);
   list->setSpacing(2);
   list->setFixedHeight(LayersHeight);
-  const QStringList kept = QSettings().value(KeptLayers, UsualLayers).toStringList();
+  const QStringList kept = QSettings().value(LayersKey, UsualLayers).toStringList();
   for (const std::string& layer : layers)
   {
     const QString name = QString::fromStdString(layer);
@@ -251,7 +251,7 @@ std::optional<LayersChoice> AskLayers(QWidget* parent, const QSize& size,
   {
     return std::nullopt;
   }
-  QSettings().setValue(KeptLayers, names);
+  QSettings().setValue(LayersKey, names);
   choice.Size = pixels->GetSize();
   return choice;
 }

@@ -129,7 +129,7 @@ void LightPanel::SetFile(const std::string& file, double rotation)
 //------------------------------------------------------------------------------
 void LightPanel::SwitchEnvironment(bool on)
 {
-  if (!this->Kept.Has("--environment") && this->Edited->Get().Parse().Surface.Environment.empty())
+  if (!this->Saved.Has("--environment") && this->Edited->Get().Parse().Surface.Environment.empty())
   {
     this->Waiting = on;
     this->ShowSettings();
@@ -138,20 +138,20 @@ void LightPanel::SwitchEnvironment(bool on)
   scene::Settings kept;
   if (!on)
   {
-    this->KeptMirror = this->GetMirrorValues();
+    this->SavedMirror = this->GetMirrorValues();
   }
   this->Edited->Change([&](scene::Settings& settings) {
     for (const char* option : EnvironmentWords)
     {
       kept.SetAll(option, settings.GetAll(option));
-      settings.SetAll(option, on ? this->Kept.GetAll(option) : std::vector<std::string>());
+      settings.SetAll(option, on ? this->Saved.GetAll(option) : std::vector<std::string>());
     }
-    for (const auto& [name, words] : on ? this->KeptMirror : words::NamedWords())
+    for (const auto& [name, words] : on ? this->SavedMirror : words::NamedWords())
     {
       scene::SetSurfaceValue(settings, name, words);
     }
   });
-  this->Kept = on ? scene::Settings() : kept;
+  this->Saved = on ? scene::Settings() : kept;
   this->ShowSettings();
 }
 
@@ -191,16 +191,16 @@ void LightPanel::ShowSettings()
   }
   if (!options.Surface.Environment.empty())
   {
-    this->Kept = scene::Settings();
+    this->Saved = scene::Settings();
     this->File->SetPath(QString::fromStdString(options.Surface.Environment));
     this->Rotation->SetValue(options.Surface.EnvironmentRotation);
     this->Sky->setChecked(options.Surface.Skybox);
   }
-  else if (!this->Kept.Has("--environment"))
+  else if (!this->Saved.Has("--environment"))
   {
     this->File->SetPath(QString());
   }
-  if (!this->Kept.Has("--environment"))
+  if (!this->Saved.Has("--environment"))
   {
     this->Reflectivity->SetValue(options.Surface.Reflectivity);
     this->Roughness->SetValue(options.Surface.Roughness);

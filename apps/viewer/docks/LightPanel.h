@@ -46,9 +46,9 @@ private:
   relievoQt::Number *Rotation, *Reflectivity, *Roughness;
   QCheckBox* Sky;
   SurfaceValues* Values;
-  bool Waiting = false;         // switched on without an image; not in the words yet
-  scene::Settings Kept;         // the environment while it is switched off
-  words::NamedWords KeptMirror; // the reflection's values with it
+  bool Waiting = false;          // switched on without an image; not in the words yet
+  scene::Settings Saved;         // the environment while it is switched off
+  words::NamedWords SavedMirror; // the reflection's values with it
 };
 }
 

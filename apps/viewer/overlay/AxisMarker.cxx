@@ -18,8 +18,8 @@ namespace viewer
 {
 namespace
 {
-const char* const Kept = "axis_marker"; // in the settings
-constexpr int Side = 96;                // pixels
+const char* const SettingsKey = "axis_marker"; // of QSettings
+constexpr int Side = 96;                       // pixels
 constexpr double Length = 33.0;
 constexpr double BallRadius = 9.0; // radius of a named end
 constexpr double OtherBall = 6.0;  // radius of the opposite end
@@ -30,7 +30,7 @@ const char* const Names[] = { "x", "y", "z" };
 //------------------------------------------------------------------------------
 AxisMarker::AxisMarker(QWidget* parent)
   : Overlay(parent)
-  , Wanted(QSettings().value(Kept, true).toBool())
+  , Wanted(QSettings().value(SettingsKey, true).toBool())
 {
   this->setObjectName("axes");
   this->setToolTip("Click on the end of an axis to look from there");
@@ -44,7 +44,7 @@ AxisMarker::AxisMarker(QWidget* parent)
 void AxisMarker::SetWanted(bool wanted)
 {
   this->Wanted = wanted;
-  QSettings().setValue(Kept, wanted);
+  QSettings().setValue(SettingsKey, wanted);
   this->setVisible(this->Wanted && this->Seen);
 }
 

@@ -144,7 +144,7 @@ private:
   unsigned long Observer;
   Contents Now;
   std::optional<look::CameraChoice> Other; // of OtherCamera
-  Stand Chosen, Kept; // the view before its first change of shape, and the resulting view
+  Stand Chosen, Fitted; // the view before its first change of shape, and the resulting view
 };
 }
 

@@ -41,10 +41,10 @@ void Picture::KeepInView(double before, double now)
     return;
   }
   const Stand stand = this->GetStand(before);
-  if (stand.Place.Position != this->Kept.Place.Position ||
-    stand.Place.FocalPoint != this->Kept.Place.FocalPoint ||
-    stand.Place.ViewUp != this->Kept.Place.ViewUp || stand.Scale != this->Kept.Scale ||
-    stand.Angle != this->Kept.Angle)
+  if (stand.Place.Position != this->Fitted.Place.Position ||
+    stand.Place.FocalPoint != this->Fitted.Place.FocalPoint ||
+    stand.Place.ViewUp != this->Fitted.Place.ViewUp || stand.Scale != this->Fitted.Scale ||
+    stand.Angle != this->Fitted.Angle)
   {
     this->Chosen = stand;
   }
@@ -80,7 +80,7 @@ void Picture::KeepInView(double before, double now)
     camera->SetPosition(
       from[0] - back * along[0], from[1] - back * along[1], from[2] - back * along[2]);
   }
-  this->Kept = this->GetStand(now);
+  this->Fitted = this->GetStand(now);
 }
 
 //------------------------------------------------------------------------------

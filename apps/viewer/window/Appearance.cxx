@@ -17,7 +17,7 @@ namespace viewer
 {
 namespace
 {
-const char* const Kept = "appearance"; // in the settings: the name of the choice's action
+const char* const SettingsKey = "appearance"; // of QSettings: the name of the choice's action
 
 //------------------------------------------------------------------------------
 QPalette MakePalette(int window, int field, int text, const QColor& link)
@@ -90,7 +90,7 @@ void Make(const QString& name)
 void AddAppearance(QMenu* menu)
 {
   auto* group = new QActionGroup(menu);
-  const QString kept = QSettings().value(Kept, "desktop").toString();
+  const QString kept = QSettings().value(SettingsKey, "desktop").toString();
   for (const char* text : { "As the &desktop", "&Light", "Dar&k" })
   {
     QAction* action = menu->addAction(text);
@@ -105,7 +105,7 @@ void AddAppearance(QMenu* menu)
   }
   QObject::connect(group, &QActionGroup::triggered, menu, [](QAction* action) {
     Make(action->objectName());
-    QSettings().setValue(Kept, action->objectName());
+    QSettings().setValue(SettingsKey, action->objectName());
   });
 }
 }

@@ -149,14 +149,14 @@ void StageGroup::Switch(bool on)
     this->Edited->SwitchShadows(on);
     return;
   }
-  if (this->Points && !this->Kept && !this->IsOn())
+  if (this->Points && !this->Saved && !this->IsOn())
   {
     this->Waiting = on;
     this->ShowSettings();
     return;
   }
   const scene::Settings before = this->Edited->Get();
-  const scene::Settings from = on ? this->Kept.value_or(before) : scene::Settings();
+  const scene::Settings from = on ? this->Saved.value_or(before) : scene::Settings();
   this->Edited->Change([&](scene::Settings& settings) {
     this->Points ? settings.AskStage(this->Stage, false) : settings.SwitchStage(this->Stage, on);
     for (const auto& edit : this->Edits)
@@ -171,7 +171,7 @@ void StageGroup::Switch(bool on)
       settings.SetAll(GetOption(this->Stage), from.GetAll(GetOption(this->Stage)));
     }
   });
-  this->Kept = on ? std::nullopt : std::optional<scene::Settings>(before);
+  this->Saved = on ? std::nullopt : std::optional<scene::Settings>(before);
   this->ShowSettings();
 }
 
@@ -187,9 +187,9 @@ void StageGroup::ShowSettings()
   }
   if (on)
   {
-    this->Kept.reset();
+    this->Saved.reset();
   }
-  const scene::Settings& settings = this->Kept ? *this->Kept : this->Edited->Get();
+  const scene::Settings& settings = this->Saved ? *this->Saved : this->Edited->Get();
   for (const vtkRelievoParameter& parameter : this->Parameters.Parameters)
   {
     const auto edit = this->Edits.find(parameter.Name);

@@ -62,8 +62,8 @@ private:
   QLabel* Reason;
   PointsEdit* Points = nullptr; // for a stage of points
   std::map<std::string, ParameterEdit*> Edits;
-  bool Waiting = false;                // switched on without a file; not in the words yet
-  std::optional<scene::Settings> Kept; // the words while switched off
+  bool Waiting = false;                 // switched on without a file; not in the words yet
+  std::optional<scene::Settings> Saved; // the words while switched off
 };
 }
 
