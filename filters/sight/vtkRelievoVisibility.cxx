@@ -173,6 +173,8 @@ public:
     , PointsSeen(static_cast<std::size_t>(mesh->GetNumberOfPoints()))
   {
     this->Places->SetNumberOfComponents(2);
+    this->PointPlaces->SetNumberOfComponents(2);
+    this->PointDirections->SetNumberOfComponents(3);
     const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
     vtkRelievoPolygonCut::ForEachTriangle(
       mesh,
@@ -214,9 +216,9 @@ public:
     {
       return false;
     }
+    this->Look();
     this->TakeCorners();
     this->TakeAngles();
-    this->Look();
     if (!this->AddSmallCells() || !this->AddPoints())
     {
       return false;
@@ -358,11 +360,38 @@ private:
       place[1] <= size[1] - 0.5 - room;
   }
 
-  // Computes the picture positions of the mesh's points, and the directions of their rays.
+  // Computes the picture positions of the mesh's points, and the directions of their rays, except of
+  // points known to be hidden: few triangles at these need them.
   void TakeCorners()
   {
-    this->Camera->Project(this->Points, this->PointPlaces);
-    this->Camera->GetRays(this->PointPlaces, this->Origins, this->PointDirections);
+    const vtkIdType count = this->Points->GetNumberOfTuples();
+    this->PointPlaces->SetNumberOfTuples(count);
+    this->PointDirections->SetNumberOfTuples(count);
+    vtkRelievoForAll(count, [this](vtkIdType i) {
+      if (this->GetState(i) != State::Hidden)
+      {
+        this->ComputeCorner(
+          i, this->PointPlaces->GetPointer(2 * i), this->PointDirections->GetPointer(3 * i));
+      }
+    });
+  }
+
+  void ComputeCorner(vtkIdType point, double place[2], double direction[3]) const
+  {
+    double origin[3];
+    this->Camera->Project(this->Points->GetPointer(3 * point), place);
+    this->Camera->GetRay(place[0], place[1], origin, direction);
+  }
+
+  void GetCorner(vtkIdType point, double place[2], double direction[3]) const
+  {
+    if (this->GetState(point) == State::Hidden)
+    {
+      this->ComputeCorner(point, place, direction);
+      return;
+    }
+    std::copy_n(this->PointPlaces->GetPointer(2 * point), 2, place);
+    std::copy_n(this->PointDirections->GetPointer(3 * point), 3, direction);
   }
 
   // Selects the cells that keep the solid angle of their pixels. The solid angles of other cells
@@ -412,7 +441,7 @@ private:
     }
     this->Scene->Update();
     const vtkRelievoRayTree& tree = this->Scene->GetTree();
-    if (tree.GetNumberOfPlaces() == 0 || tree.GetMesh(0) != 0)
+    if (tree.GetNumberOfPlaces() == 0 || tree.GetMesh(0) != 0 || this->Triangles.empty())
     {
       return false; // no triangle of the mesh is in the tree
     }
@@ -425,7 +454,14 @@ private:
     for (int i = 0; i < mesh.GetNumberOfTriangles(); ++i)
     {
       const vtkIdType cell = mesh.GetCell(i);
-      auto it = std::lower_bound(this->Triangles.begin(), this->Triangles.end(), cell, isBefore);
+      // If all polygons are triangles, the cell's triangle has its number.
+      const vtkIdType last = static_cast<vtkIdType>(this->Triangles.size()) - 1;
+      auto it = this->Triangles.begin() +
+        std::clamp<vtkIdType>(cell - this->Triangles.front().Cell, 0, last);
+      if (it->Cell != cell || (it != this->Triangles.begin() && (it - 1)->Cell == cell))
+      {
+        it = std::lower_bound(this->Triangles.begin(), this->Triangles.end(), cell, isBefore);
+      }
       for (; it != this->Triangles.end() && it->Cell == cell; ++it)
       {
         if (it->Points[0] == mesh.GetPoint(i, 0) && it->Points[1] == mesh.GetPoint(i, 1) &&
@@ -469,10 +505,11 @@ private:
     }
   }
 
-  State GetState(std::size_t triangle, int sample) const
+  // Bits of a triangle's points known to be in this state.
+  unsigned GetSamples(std::size_t triangle, State state) const
   {
     const int quick = this->IsQuick ? this->QuickTriangles[triangle] : -1;
-    return quick < 0 ? State::Unknown : this->Quick->GetSample(quick, sample);
+    return quick < 0 ? 0 : this->Quick->GetSamples(quick, state);
   }
 
   State GetState(vtkIdType point) const
@@ -553,19 +590,19 @@ private:
     {
       return;
     }
-    const bool isWithin = this->IsWithin(triangle);
+    const unsigned all = (1u << Samples) - 1u;
+    const unsigned known = this->GetSamples(number, State::Seen);
+    asked[number] =
+      static_cast<unsigned char>(all & ~(known | this->GetSamples(number, State::Hidden)));
+    if (known == all && this->IsWithin(triangle))
+    {
+      seen[number] = Samples;
+      return;
+    }
     for (int sample = 0; sample < Samples; ++sample)
     {
       double place[2];
-      const State state = this->GetState(number, sample);
-      if (state == State::Unknown)
-      {
-        asked[number] |= static_cast<unsigned char>(1u << sample);
-      }
-      else if (state == State::Seen && (isWithin || this->FindPlace(triangle, sample, place)))
-      {
-        ++seen[number];
-      }
+      seen[number] += (known >> sample & 1) && this->FindPlace(triangle, sample, place) ? 1 : 0;
     }
   }
 
@@ -576,7 +613,9 @@ private:
     constexpr double room = 1e-6; // of pixels, for rounding
     return this->IsPinhole &&
       std::all_of(triangle.Points, triangle.Points + 3, [this](vtkIdType point) {
-        const double* place = this->PointPlaces->GetPointer(2 * point);
+        double place[2];
+        double direction[3];
+        this->GetCorner(point, place, direction);
         return this->IsInPicture(place, room);
       });
   }
@@ -606,10 +645,11 @@ private:
   // The solid angle spanned by the rays to the corners; 0 if a corner has no ray.
   double GetWholeAngle(const Triangle& triangle)
   {
-    const double* directions[3];
+    double directions[3][3];
     for (int k = 0; k < 3; ++k)
     {
-      directions[k] = this->PointDirections->GetPointer(3 * triangle.Points[k]);
+      double place[2];
+      this->GetCorner(triangle.Points[k], place, directions[k]);
       if (std::isnan(directions[k][0]))
       {
         return 0.0;

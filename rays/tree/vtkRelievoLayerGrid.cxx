@@ -46,19 +46,31 @@ void vtkRelievoLayerGrid::Add(
   {
     return;
   }
-  const double sign = isFront ? 1.0 : -1.0;
+  // Twice the areas between a square's centre and the triangle's sides are linear in the centre.
   const double step = 2.0 / this->Count;
+  const glm::dvec2 first(step * (left + 0.5) - 1.0, step * (top + 0.5) - 1.0);
+  const double sign = isFront ? 1.0 : -1.0;
+  double areas[3];
+  double across[3];
+  double down[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    const glm::dvec2 from = corners[k] - first;
+    const glm::dvec2 to = corners[k == 2 ? 0 : k + 1] - first;
+    areas[k] = sign * (from.x * to.y - to.x * from.y);
+    across[k] = sign * step * (from.y - to.y);
+    down[k] = sign * step * (to.x - from.x);
+  }
   for (int row = top; row <= bottom; ++row)
   {
     for (int column = left; column <= right; ++column)
     {
-      const glm::dvec2 middle(step * (column + 0.5) - 1.0, step * (row + 0.5) - 1.0);
+      const double x = column - left;
+      const double y = row - top;
       double least = std::numeric_limits<double>::max();
       for (int k = 0; k < 3; ++k)
       {
-        const glm::dvec2 from = corners[k] - middle;
-        const glm::dvec2 to = corners[k == 2 ? 0 : k + 1] - middle;
-        least = std::min(least, sign * (from.x * to.y - to.x * from.y));
+        least = std::min(least, areas[k] + x * across[k] + y * down[k]);
       }
       Put(this->At(column, row),
         { box.Min.z, box.Max.z, least > margin ? 1 : 0, std::abs(least) <= margin });
@@ -158,11 +170,11 @@ bool vtkRelievoLayerGrid::ForEach(const Box& box, Visit visit) const
   const int bottom = this->GetPlace(box.Max.y);
   for (int row = this->GetPlace(box.Min.y); row <= bottom; ++row)
   {
-    const Square* square = this->Squares.data() +
+    const Answer* answer = this->Answers.data() +
       static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Count) + left;
-    for (int column = left; column <= right; ++column, ++square)
+    for (int column = left; column <= right; ++column, ++answer)
     {
-      if (!visit(*square))
+      if (!visit(*answer))
       {
         return false;
       }
@@ -187,23 +199,39 @@ void vtkRelievoLayerGrid::Block(const Box& box)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoLayerGrid::Finish()
+{
+  constexpr float far = std::numeric_limits<float>::infinity();
+  this->Answers.resize(this->Squares.size());
+  for (std::size_t i = 0; i < this->Squares.size(); ++i)
+  {
+    const Square& square = this->Squares[i];
+    Answer& answer = this->Answers[i];
+    answer = { far, -far };
+    float nearest = -far;
+    for (int k = 0; k < square.Count; ++k)
+    {
+      const Sheet& sheet = square.Sheets[k];
+      const bool isWhole = sheet.Layers > 0 && !sheet.IsCrossed;
+      answer.HiddenBelow = std::max(answer.HiddenBelow, isWhole ? sheet.Low : -far);
+      if (sheet.Low > nearest)
+      {
+        nearest = sheet.Low;
+        answer.FirstFrom = isWhole && sheet.Layers == 1 ? sheet.Low : far;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoLayerGrid::IsHidden(const Box& box) const
 {
-  return this->ForEach(box, [&box](const Square& square) {
-    return std::any_of(square.Sheets, square.Sheets + square.Count, [&box](const Sheet& sheet) {
-      return sheet.Layers > 0 && !sheet.IsCrossed && box.Max.z < sheet.Low;
-    });
-  });
+  return this->ForEach(
+    box, [&box](const Answer& answer) { return box.Max.z < answer.HiddenBelow; });
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoLayerGrid::IsFirst(const Box& box) const
 {
-  return this->ForEach(box, [&box](const Square& square) {
-    const Sheet* const end = square.Sheets + square.Count;
-    const Sheet* nearest = std::max_element(
-      square.Sheets, end, [](const Sheet& a, const Sheet& b) { return a.IsBehind(b); });
-    return nearest != end && nearest->Layers == 1 && !nearest->IsCrossed &&
-      box.Min.z >= nearest->Low;
-  });
+  return this->ForEach(box, [&box](const Answer& answer) { return box.Min.z >= answer.FirstFrom; });
 }

@@ -33,6 +33,9 @@ public:
   // Marks squares that the grid has no answers for.
   void Block(const Box& box);
 
+  // Prepares the answers, after the last triangle.
+  void Finish();
+
   // IsHidden: whether the box's content is hidden by a layer in front of it. IsFirst: whether
   // nothing lies in front of a triangle or a corner with that box. False if this is unknown.
   bool IsHidden(const Box& box) const;
@@ -57,6 +60,13 @@ private:
     Sheet Sheets[MostSheets]; // disjoint
   };
 
+  // The answers of a square.
+  struct Answer
+  {
+    float FirstFrom;   // the nearest sheet's least Q, if it is visible
+    float HiddenBelow; // Q
+  };
+
   static void Put(Square& square, Sheet sheet);
 
   static constexpr std::size_t MostLooks = 32; // squares visited per triangle
@@ -73,6 +83,7 @@ private:
   int Count = 0;        // squares in each direction
   std::size_t Left = 0; // visits left; 0: the grid has no answers
   std::vector<Square> Squares;
+  std::vector<Answer> Answers; // by square
 };
 
 #endif

@@ -392,28 +392,43 @@ void vtkRelievoTriangleSight::FillLayers()
       }
     }
   }
+  this->Layers.Finish();
 }
 
 //------------------------------------------------------------------------------
-// Judges by the layers, if these suffice.
-void vtkRelievoTriangleSight::JudgeTriangle(int triangle)
+// State of everything in a box by the layers; Unknown if these do not suffice.
+vtkRelievoTriangleSight::State vtkRelievoTriangleSight::Judge(const Box& box) const
+{
+  return this->Wilds.empty() && this->Layers.IsFirst(box) ? State::Seen
+    : this->Layers.IsHidden(box)                          ? State::Hidden
+                                                          : State::Unknown;
+}
+
+//------------------------------------------------------------------------------
+// Whether the layers may determine the state of a triangle's points.
+bool vtkRelievoTriangleSight::HasLayer(int triangle) const
 {
   const Projected& mesh = this->Meshes[static_cast<std::size_t>(this->Target)];
   const auto at = static_cast<std::size_t>(triangle);
-  const Box& box = mesh.Boxes[at];
-  const Side side = mesh.Sides[at];
-  if (side == Side::Unclear || this->SampleStates[at] != 0)
-  {
-    return;
-  }
+  return mesh.Sides[at] != Side::Unclear && this->SampleStates[at] == 0 &&
+    mesh.Boxes[at].Min.x <= mesh.Boxes[at].Max.x;
+}
+
+//------------------------------------------------------------------------------
+// `state`: that of a box around the triangle.
+void vtkRelievoTriangleSight::JudgeTriangle(int triangle, State state)
+{
+  const Projected& mesh = this->Meshes[static_cast<std::size_t>(this->Target)];
+  const auto at = static_cast<std::size_t>(triangle);
+  state = state == State::Unknown ? this->Judge(mesh.Boxes[at]) : state;
   // A hiding triangle may belong to the same cell, if the cell shows both sides.
   const bool isOfOneSide = !this->HasManyToACell ||
-    this->CellSides[static_cast<std::size_t>(mesh.Mesh->GetCell(triangle))] == side;
-  if (this->Wilds.empty() && this->Layers.IsFirst(box))
+    this->CellSides[static_cast<std::size_t>(mesh.Mesh->GetCell(triangle))] == mesh.Sides[at];
+  if (state == State::Seen)
   {
     this->SampleStates[at] = All;
   }
-  else if (isOfOneSide && this->Layers.IsHidden(box))
+  else if (isOfOneSide && state == State::Hidden)
   {
     this->SampleStates[at] = All << Samples;
   }
@@ -430,7 +445,8 @@ bool vtkRelievoTriangleSight::IsOpen(std::size_t corner) const
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoTriangleSight::JudgeCorner(std::size_t corner)
+// `state`: that of the box `around`, in which the corner may lie.
+void vtkRelievoTriangleSight::JudgeCorner(std::size_t corner, const Box& around, State state)
 {
   const Projected& mesh = this->Meshes[static_cast<std::size_t>(this->Target)];
   const Vertex& vertex = mesh.Vertices[corner];
@@ -440,15 +456,14 @@ void vtkRelievoTriangleSight::JudgeCorner(std::size_t corner)
   }
   const Box box{ glm::vec3(Below(vertex.X), Below(vertex.Y), BelowDepth(vertex.Q)),
     glm::vec3(Above(vertex.X), Above(vertex.Y), AboveDepth(vertex.Q)) };
+  const bool isWithin = glm::all(glm::lessThanEqual(around.Min, box.Min)) &&
+    glm::all(glm::lessThanEqual(box.Max, around.Max));
+  state = isWithin && state != State::Unknown ? state : this->Judge(box);
   const std::uint8_t sides = mesh.CornerSides[corner];
   const bool isOfOneSide = mesh.IsClosed[corner] && (sides == Side::Front || sides == Side::Back);
-  if (isOfOneSide && this->Wilds.empty() && this->Layers.IsFirst(box))
+  if (state == State::Hidden || (state == State::Seen && isOfOneSide))
   {
-    this->CornerStates[corner] = State::Seen;
-  }
-  else if (this->Layers.IsHidden(box))
-  {
-    this->CornerStates[corner] = State::Hidden;
+    this->CornerStates[corner] = state;
   }
 }
 
@@ -596,14 +611,28 @@ void vtkRelievoTriangleSight::Fill(Group& group, int chunk) const
 void vtkRelievoTriangleSight::LookAtChunk(int chunk, const View& view)
 {
   const int end = std::min(Chunk * (chunk + 1), static_cast<int>(this->SampleStates.size()));
+  // Most chunks need a single look.
+  const Projected& target = this->Meshes[static_cast<std::size_t>(this->Target)];
+  Box around = vtkRelievoWideTree::Nowhere();
+  unsigned layered = 0; // bits
   for (int i = Chunk * chunk; i < end; ++i)
   {
-    this->JudgeTriangle(i);
+    if (this->HasLayer(i))
+    {
+      const Box& box = target.Boxes[static_cast<std::size_t>(i)];
+      around = { glm::min(around.Min, box.Min), glm::max(around.Max, box.Max) };
+      layered |= 1u << (i - Chunk * chunk);
+    }
+  }
+  const State state = this->Judge(around);
+  for (; layered != 0; layered &= layered - 1)
+  {
+    this->JudgeTriangle(Chunk * chunk + vtkRelievoGetLowest(layered), state);
   }
   const auto number = static_cast<std::size_t>(chunk);
   for (std::size_t i = this->Firsts[number]; i < this->Firsts[number + 1]; ++i)
   {
-    this->JudgeCorner(i);
+    this->JudgeCorner(i, around, state);
   }
   Group group;
   this->Fill(group, chunk);

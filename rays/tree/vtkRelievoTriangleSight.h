@@ -51,14 +51,12 @@ public:
   // Adds the states determined by a view.
   void Look(const View& view);
 
-  // State of a triangle's point: Seen if the first triangle that a ray to it hits belongs to its
-  // cell.
-  State GetSample(int triangle, int sample) const
+  // Bits of a triangle's points that are known to be Seen or Hidden: Seen if the first triangle that
+  // a ray to the point hits belongs to its cell.
+  unsigned GetSamples(int triangle, State state) const
   {
     const std::uint8_t states = this->SampleStates[static_cast<std::size_t>(triangle)];
-    return states >> sample & 1    ? State::Seen
-      : states >> (sample + 4) & 1 ? State::Hidden
-                                   : State::Unknown;
+    return state == State::Hidden ? states >> Samples : states & ((1u << Samples) - 1u);
   }
   // State of a corner, by its index in vtkRelievoMeshTree::GetPlaces: Seen if nothing lies in front
   // of it.
@@ -116,8 +114,10 @@ private:
   Side GetSide(const Vertex& a, const Vertex& b, const Vertex& c, const Box& box) const;
   double GetError(const Box& box) const;
   void FillLayers();
-  void JudgeTriangle(int triangle);
-  void JudgeCorner(std::size_t corner);
+  State Judge(const Box& box) const;
+  bool HasLayer(int triangle) const;
+  void JudgeTriangle(int triangle, State state);
+  void JudgeCorner(std::size_t corner, const Box& around, State state);
   bool IsOpen(std::size_t corner) const;
   void LookAtChunk(int chunk, const View& view);
   void Fill(Group& group, int chunk) const;
