@@ -461,6 +461,18 @@ class Seen(unittest.TestCase):
                                       expected[:, :50][small[:, :50]], rtol=1e-3)
         self.assertEqual(relievo.visible(floor, sensor).GetNumberOfCells(), 10000)
 
+    def test_corners_of_edges_beside_hidden_cells(self):
+        # Cells behind a wall, and beside it one seen edge-on, whose corners nothing hides.
+        wall = grid((-2, -1, 1), (0, -1, 1), (-2, 1, 1), 1, 1)
+        points = [(-0.6 + 0.02 * i, y, 0) for i in range(7) for y in (-0.05, 0.05)]
+        points += [(-0.4, 0, 0), (0.6, 0, 0), (1.2, 0, 0), (0.9, 0, 0.3)]
+        cells = [(2 * i, 14, 2 * i + 1) for i in range(7)] + [(15, 16, 17)]
+        sensor = relievo.Pinhole([[20, 0, 9.5], [0, 20, 9.5], [0, 0, 1]], (20, 20))
+        sensor.look_at((0, 0, 3), (0, 0, 0), (0, 1, 0))
+        seen = relievo.visible(mesh_of(points, cells), sensor, occluders=wall)
+        counts = vtk_to_numpy(seen.GetPointData().GetArray("seen"))
+        numpy.testing.assert_array_equal(counts, [0] * 15 + [1] * 3)
+
     def test_lines_before_polygons_and_strips(self):
         # Cells count vertices, lines, polygons, strips; all three surfaces are in one plane.
         mesh = mesh_of([(-1, -1, 0), (0, -1, 0), (0, 1, 0), (-1, 1, 0), (1, -1, 0), (1, 1, 0)],
