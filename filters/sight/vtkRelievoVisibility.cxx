@@ -360,8 +360,8 @@ private:
       place[1] <= size[1] - 0.5 - room;
   }
 
-  // Computes the picture positions of the mesh's points, and the directions of their rays, except of
-  // points known to be hidden: few triangles at these need them.
+  // Computes the picture positions of the mesh's points, and the directions of their rays, except
+  // those of points known to be hidden: few triangles at these need them.
   void TakeCorners()
   {
     const vtkIdType count = this->Points->GetNumberOfTuples();

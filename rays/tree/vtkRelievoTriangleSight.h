@@ -51,8 +51,8 @@ public:
   // Adds the states determined by a view.
   void Look(const View& view);
 
-  // Bits of a triangle's points that are known to be Seen or Hidden: Seen if the first triangle that
-  // a ray to the point hits belongs to its cell.
+  // Bits of a triangle's points that are known to be Seen or Hidden: Seen if the first triangle
+  // that a ray to the point hits belongs to its cell.
   unsigned GetSamples(int triangle, State state) const
   {
     const std::uint8_t states = this->SampleStates[static_cast<std::size_t>(triangle)];
