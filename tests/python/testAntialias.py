@@ -287,7 +287,7 @@ class Antialias(unittest.TestCase):
         """Pixels that get all samples are drawn in parts, each with its own triangles: the picture
         is that of one part with all triangles, which actors' own shaders ask for, but for
         rounding in a few pixels. An actor without triangles changes nothing."""
-        self.window.SetSize(320, 240)
+        self.window.SetSize(400, 320)  # parts are drawn in the memory of the few samples
         numbers = numpy.random.default_rng(7)
         actors, draws = [], []
         for i in range(2):

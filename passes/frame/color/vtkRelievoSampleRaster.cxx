@@ -35,10 +35,12 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <functional>
 #include <iomanip>
 #include <memory>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -46,6 +48,16 @@ namespace
 // are drawn alone: more rasters have less between the pixels, but each is drawn with all shaders.
 constexpr double MostCells = 1 << 24;
 constexpr double MostCellsOfMarked = 1 << 21;
+
+double CountCells(const glm::ivec2& size)
+{
+  return static_cast<double>(size.x) * size.y;
+}
+
+bool IsWithin(const glm::ivec2& size, const glm::ivec2& room)
+{
+  return size.x <= room.x && size.y <= room.y;
+}
 
 // Samples per pixel before the marks are known.
 constexpr int FewSamples = 5;
@@ -218,18 +230,15 @@ std::string vtkRelievoSampleRaster::FindObstacle(const vtkRelievoFrameContext& c
 }
 
 //------------------------------------------------------------------------------
-// Divides a part of the viewport into columns and rows that fit a raster.
+// Divides a part of the viewport into columns and rows whose rasters fit.
 std::vector<vtkRelievoSampleRaster::Part> vtkRelievoSampleRaster::Divide(
-  const vtkRelievoSampleLattice& lattice, const Part& part, double mostCells)
+  const vtkRelievoSampleLattice& lattice, const Part& part,
+  const std::function<bool(const glm::ivec2&)>& fits)
 {
   const glm::ivec2 all(part[2], part[3]);
   glm::ivec2 count(1);
   const auto getPixels = [&]() { return (all + count - 1) / count; };
-  const auto countCells = [&]() {
-    const glm::dvec2 size(lattice.GetSize(getPixels()));
-    return size.x * size.y;
-  };
-  while (countCells() > mostCells && (getPixels().x > 1 || getPixels().y > 1))
+  while (!fits(lattice.GetSize(getPixels())) && (getPixels().x > 1 || getPixels().y > 1))
   {
     getPixels().x > getPixels().y ? ++count.x : ++count.y;
   }
@@ -253,8 +262,9 @@ vtkRelievoSampleRaster::vtkRelievoSampleRaster()
 }
 
 //------------------------------------------------------------------------------
+// Takes another grid's textures if they are large enough.
 std::string vtkRelievoSampleRaster::Grid::Make(vtkRelievoFrameContext& context,
-  const vtkRelievoSampleLattice& lattice, const std::vector<Part>& parts)
+  const vtkRelievoSampleLattice& lattice, const std::vector<Part>& parts, Grid* spare)
 {
   this->Lattice = &lattice;
   this->Cells.clear();
@@ -267,6 +277,13 @@ std::string vtkRelievoSampleRaster::Grid::Make(vtkRelievoFrameContext& context,
   for (const Part& part : parts)
   {
     size = glm::max(size, lattice.GetSize({ part[2], part[3] }));
+  }
+  if (spare && IsWithin(size, spare->GetRoom()))
+  {
+    std::swap(this->Framebuffer, spare->Framebuffer);
+    std::swap(this->Color, spare->Color);
+    std::swap(this->Depth, spare->Depth);
+    return {};
   }
   this->Color = vtkRelievoColorBuffers::MakeTexture(context.Window, GL_RGBA16F, size.x, size.y);
   this->Depth = vtkSmartPointer<vtkTextureObject>::New();
@@ -283,6 +300,14 @@ std::string vtkRelievoSampleRaster::Grid::Make(vtkRelievoFrameContext& context,
     ? std::string()
     : "this OpenGL cannot draw to half floats of " + std::to_string(size.x) + " x " +
       std::to_string(size.y) + " pixels";
+}
+
+//------------------------------------------------------------------------------
+// Size in cells of its textures.
+glm::ivec2 vtkRelievoSampleRaster::Grid::GetRoom() const
+{
+  return this->Color ? glm::ivec2(this->Color->GetWidth(), this->Color->GetHeight())
+                     : glm::ivec2(0);
 }
 
 //------------------------------------------------------------------------------
@@ -345,8 +370,9 @@ void vtkRelievoSampleRaster::Begin(
     return;
   }
   const vtkRelievoSampleLattice& lattice = HasFew(context) ? this->FewOfEach : *context.Lattice;
-  this->Parts = Divide(lattice, this->Drawn, MostCells);
-  this->Fault = this->Few.Make(context, lattice, this->Parts);
+  this->Parts =
+    Divide(lattice, this->Drawn, [](const auto& size) { return CountCells(size) <= MostCells; });
+  this->Fault = this->Few.Make(context, lattice, this->Parts, nullptr);
   this->Fault.empty() ? this->Begin(context, this->Few, this->Parts.front(), false)
                       : this->Leave(context);
 }
@@ -415,8 +441,14 @@ void vtkRelievoSampleRaster::DrawMarked(
   }
   Part marked = this->Drawn;
   this->Marks.Choose(marked);
+  // New memory costs more than smaller parts, if they are not much smaller.
+  const double most = possible ? MostCellsOfMarked : MostCells;
+  const glm::ivec2 room = this->Few.GetRoom();
+  const bool reuses = possible && CountCells(room) >= 0.5 * most;
   std::vector<Part> parts;
-  for (Part part : Divide(*context.Lattice, marked, possible ? MostCellsOfMarked : MostCells))
+  for (Part part : Divide(*context.Lattice, marked, [&](const auto& size) {
+         return CountCells(size) <= most && (!reuses || IsWithin(size, room));
+       }))
   {
     if (this->Marks.Choose(part))
     {
@@ -430,7 +462,7 @@ void vtkRelievoSampleRaster::DrawMarked(
       triangles->Find(context, this->Marks, parts);
     }
   }
-  this->Fault = this->All.Make(context, *context.Lattice, parts);
+  this->Fault = this->All.Make(context, *context.Lattice, parts, &this->Few);
   for (std::size_t i = 0; i < parts.size() && this->Fault.empty(); ++i)
   {
     this->Marks.Choose(parts[i]);

@@ -21,6 +21,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,14 +71,15 @@ private:
     vtkSmartPointer<vtkTextureObject> Depth;
 
     std::string Make(vtkRelievoFrameContext& context, const vtkRelievoSampleLattice& lattice,
-      const std::vector<Part>& parts); // error message, or empty
+      const std::vector<Part>& parts, Grid* spare); // error message, or empty
+    glm::ivec2 GetRoom() const;
     glm::dmat4 GetToRaster(const vtkRelievoFrameContext& context, const Part& part) const;
     void Bind(vtkRelievoFrameContext& context, const Part& part);
     void Free(vtkWindow* window);
   };
 
-  static std::vector<Part> Divide(
-    const vtkRelievoSampleLattice& lattice, const Part& part, double mostCells);
+  static std::vector<Part> Divide(const vtkRelievoSampleLattice& lattice, const Part& part,
+    const std::function<bool(const glm::ivec2&)>& fits);
   void Begin(vtkRelievoFrameContext& context, Grid& grid, const Part& part, bool marked);
   void End(
     vtkRelievoFrameContext& context, vtkRelievoColorTarget& target, const Part& part, bool marked);
