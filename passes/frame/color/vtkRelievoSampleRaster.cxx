@@ -441,10 +441,11 @@ void vtkRelievoSampleRaster::DrawMarked(
   }
   Part marked = this->Drawn;
   this->Marks.Choose(marked);
-  // New memory costs more than smaller parts, if they are not much smaller.
+  // New memory costs more than smaller parts, if they are not much smaller. In a much larger raster
+  // their rows would be far apart.
   const double most = possible ? MostCellsOfMarked : MostCells;
   const glm::ivec2 room = this->Few.GetRoom();
-  const bool reuses = possible && CountCells(room) >= 0.5 * most;
+  const bool reuses = possible && CountCells(room) >= 0.5 * most && CountCells(room) <= 2.0 * most;
   std::vector<Part> parts;
   for (Part part : Divide(*context.Lattice, marked, [&](const auto& size) {
          return CountCells(size) <= most && (!reuses || IsWithin(size, room));
@@ -462,7 +463,7 @@ void vtkRelievoSampleRaster::DrawMarked(
       triangles->Find(context, this->Marks, parts);
     }
   }
-  this->Fault = this->All.Make(context, *context.Lattice, parts, &this->Few);
+  this->Fault = this->All.Make(context, *context.Lattice, parts, reuses ? &this->Few : nullptr);
   for (std::size_t i = 0; i < parts.size() && this->Fault.empty(); ++i)
   {
     this->Marks.Choose(parts[i]);
