@@ -456,6 +456,52 @@ private Q_SLOTS:
     this->Compare("an edit during a sample");
   }
 
+  // The first sample of a volume takes as long as each later one: a thread draws it, and the status
+  // bar says so. Another view that is chosen meanwhile follows without keeping the window waiting.
+  void volumesWhileDrawing()
+  {
+    if (!viewer::SampleThread::IsPossible())
+    {
+      QSKIP("Samples are drawn in no thread of their own here.");
+    }
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(4, 4, 4);
+    image->AllocateScalars(VTK_FLOAT, 1);
+    for (int i = 0; i < 64; ++i)
+    {
+      image->GetPointData()->GetScalars()->SetTuple1(i, i);
+    }
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetInputData(image);
+    writer->SetFileName(this->Path("image.vti").c_str());
+    QVERIFY(writer->Write());
+    this->Open({ this->Path("image.vti"), "--image", "volume" });
+    viewer::PictureView* view = this->Window->GetView();
+    const auto* said = this->Window->findChild<QLabel*>("smoothing");
+    QSignalSpy drawn(view, &viewer::PictureView::drawn);
+    QSignalSpy lent(view, &viewer::PictureView::drawing);
+    const auto look = [view](double side) {
+      view->Change([side](viewer::Picture& picture) {
+        picture.LookAlong({ side, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+      });
+    };
+    look(-1.0);
+    QVERIFY(lent.count() > 0 || lent.wait(60000));
+    QVERIFY(said->text().startsWith("Drawing"));
+    QVERIFY(drawn.wait(60000));
+    QVERIFY(!said->text().startsWith("Drawing"));
+    look(1.0);
+    QVERIFY(lent.wait(60000));
+    QSignalSpy painted(view, &QOpenGLWidget::frameSwapped);
+    look(-1.0);
+    QVERIFY(view->IsDrawing());
+    QVERIFY(lent.wait(60000));
+    QVERIFY(painted.count() > 0); // the view before
+    QVERIFY(drawn.wait(60000));
+    QCOMPARE(
+      view->GetPicture().GetRenderer()->GetActiveCamera()->GetDirectionOfProjection()[0], -1.0);
+  }
+
   // Layers are listed by names for people, and arrays as the data have them.
   void layerNames()
   {

@@ -11,6 +11,7 @@
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkVolumeCollection.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
@@ -52,6 +53,12 @@ void Picture::Clear()
 {
   this->Remove(this->Now);
   this->Now = Contents();
+}
+
+//------------------------------------------------------------------------------
+bool Picture::HasVolume() const
+{
+  return !this->IsEmpty() && this->GetRenderer()->GetVolumes()->GetNumberOfItems() > 0;
 }
 
 //------------------------------------------------------------------------------

@@ -53,6 +53,8 @@ public:
 
   bool IsEmpty() const { return !this->GetRenderer(); }
 
+  bool HasVolume() const;
+
   /// Throws words::WorkError if the picture is empty.
   void CheckShown(const std::string& what) const;
 

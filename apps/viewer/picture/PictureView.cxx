@@ -18,6 +18,7 @@
 #include <QThread>
 
 #include <algorithm>
+#include <utility>
 
 namespace viewer
 {
@@ -132,7 +133,15 @@ PictureView::PictureView(QWidget* parent)
   QObject::connect(&this->Soon, &QTimer::timeout, this, [this] {
     this->TakeBack();
     this->Soon.stop(); // whoever waited for the sample may ask for this picture, too
-    this->renderWindow()->Render();
+    if (this->IsFirstLent())
+    {
+      this->Lend();
+      Q_EMIT this->drawing();
+    }
+    else
+    {
+      this->renderWindow()->Render();
+    }
   });
   QObject::connect(&this->Sample, &QThread::finished, this, &PictureView::ShowSample);
   this->Holding->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
@@ -278,15 +287,31 @@ void PictureView::GoOn()
   }
   else if (slow && SampleThread::IsPossible())
   {
-    this->Holding->AbortFlagOnExecuteOn();
-    this->Unannounced = true;
-    this->setUpdatesEnabled(false);
-    this->Sample.Lend();
+    this->Lend();
   }
   else
   {
     this->renderWindow()->Render();
   }
+}
+
+//------------------------------------------------------------------------------
+// Whether a thread draws a view's first sample, too: that of a volume takes as long as each later
+// one.
+bool PictureView::IsFirstLent() const
+{
+  return SampleThread::IsPossible() && this->isValid() && this->isVisible() &&
+    this->updatesEnabled() && !this->Hurried && QApplication::mouseButtons() == Qt::NoButton &&
+    this->Shown->HasVolume();
+}
+
+//------------------------------------------------------------------------------
+void PictureView::Lend()
+{
+  this->Holding->AbortFlagOnExecuteOn();
+  this->Unannounced = true;
+  this->setUpdatesEnabled(false);
+  this->Sample.Lend();
 }
 
 //------------------------------------------------------------------------------
@@ -298,13 +323,31 @@ void PictureView::TakeBack()
     this->Sample.TakeBack();
     this->setUpdatesEnabled(true);
     this->Holding->AbortFlagOnExecuteOff();
+    // Otherwise VTK's widget would draw a resized picture again.
+    this->renderWindow()->InvokeEvent(vtkCommand::WindowFrameEvent);
     if (this->Unpainted)
     {
       this->Unpainted = false;
       QCoreApplication::postEvent(this->window(), new QEvent(QEvent::UpdateRequest));
     }
     Q_EMIT this->returned();
+    for (const auto& change : std::exchange(this->Changes, {}))
+    {
+      this->Change(change);
+    }
   }
+}
+
+//------------------------------------------------------------------------------
+void PictureView::Change(const std::function<void(Picture&)>& change)
+{
+  if (this->IsDrawing())
+  {
+    this->Changes.push_back(change);
+    return;
+  }
+  change(*this->Shown);
+  this->Draw();
 }
 
 //------------------------------------------------------------------------------
@@ -323,6 +366,10 @@ void PictureView::ShowSample()
   {
     this->OnDrawn();
     this->update();
+  }
+  else if (!this->Sample.IsLent())
+  {
+    this->repaint(); // pictures that follow each other soon are all seen
   }
 }
 
@@ -380,20 +427,21 @@ void PictureView::keyPressEvent(QKeyEvent* event)
     this->QVTKOpenGLNativeWidget::keyPressEvent(event);
     return;
   }
-  Picture& picture = this->GetPicture();
-  if (nearer != 0)
-  {
-    picture.Zoom(nearer > 0 ? factor : 1.0 / factor);
-  }
-  else if (event->modifiers() & Qt::ShiftModifier)
-  {
-    picture.Move(-share * right, -share * up);
-  }
-  else
-  {
-    picture.Turn(-degrees * right, -degrees * up);
-  }
-  this->Draw();
+  const bool moves = event->modifiers() & Qt::ShiftModifier;
+  this->Change([right, up, nearer, moves](Picture& picture) {
+    if (nearer != 0)
+    {
+      picture.Zoom(nearer > 0 ? factor : 1.0 / factor);
+    }
+    else if (moves)
+    {
+      picture.Move(-share * right, -share * up);
+    }
+    else
+    {
+      picture.Turn(-degrees * right, -degrees * up);
+    }
+  });
 }
 
 //------------------------------------------------------------------------------

@@ -20,7 +20,9 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 class QLabel;
 
@@ -69,6 +71,9 @@ public:
     std::unique_ptr<QLabel> Still; // over the view
   };
 
+  /// Changes the picture's camera and draws, after the sample that is being drawn.
+  void Change(const std::function<void(Picture&)>& change);
+
   /// Draws soon; several calls are combined.
   void Draw();
 
@@ -78,6 +83,9 @@ public:
 
 Q_SIGNALS:
   void drawn();
+
+  /// A thread begins to draw the first sample of a view.
+  void drawing();
 
   /// A sample that IsDrawing() reported is complete. Emitted before GetPicture() returns to whoever
   /// has waited for the sample.
@@ -108,6 +116,8 @@ private:
   void LetLinesBeWide();
   void OnDrawn();
   void GoOn();
+  bool IsFirstLent() const;
+  void Lend();
   void TakeBack();
   void ShowSample();
 
@@ -115,8 +125,9 @@ private:
   unsigned long Beginning;
   vtkNew<vtkCallbackCommand> Holding; // painting, while a thread draws
   SampleThread Sample;
-  bool Unpainted = false;   // the window waits for the sample
-  bool Unannounced = false; // a thread draws a sample, or has drawn one
+  bool Unpainted = false;                             // the window waits for the sample
+  bool Unannounced = false;                           // a thread draws a sample, or has drawn one
+  std::vector<std::function<void(Picture&)>> Changes; // after the sample
   bool Picking = false;
   QTimer Soon, Rest;
   QElapsedTimer Begun; // start of the frame

@@ -27,7 +27,6 @@
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -201,8 +200,7 @@ std::optional<std::array<double, 2>> GetColorRange(const Picture& picture)
 //------------------------------------------------------------------------------
 bool HasColorsOfValues(const Picture& picture)
 {
-  return GetColorRange(picture) ||
-    (!picture.IsEmpty() && picture.GetRenderer()->GetVolumes()->GetNumberOfItems() > 0);
+  return GetColorRange(picture) || picture.HasVolume();
 }
 
 //------------------------------------------------------------------------------

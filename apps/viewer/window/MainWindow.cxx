@@ -324,6 +324,8 @@ void MainWindow::Connect()
   QObject::connect(&this->Later, &QTimer::timeout, this, &MainWindow::ShowLate);
   QObject::connect(&this->Quiet, &QTimer::timeout, this, [this] { this->Bar->setRange(0, 0); });
   QObject::connect(this->Shown, &PictureView::drawn, this, &MainWindow::OnDrawn);
+  QObject::connect(this->Shown, &PictureView::drawing, this,
+    [this] { this->Smoothing->setText(QString("Drawing") + QChar(0x2026)); });
   QObject::connect(this->Shown, &PictureView::returned, this, &MainWindow::CatchUp);
   QObject::connect(this->Shown, &PictureView::pointed, this, &MainWindow::PointAt);
   LightsGroup* lights = this->Light->GetLights();
@@ -1197,8 +1199,7 @@ void MainWindow::LookFrom(int end)
   along[static_cast<std::size_t>(end % 3)] = end < 3 ? -1.0 : 1.0;
   upwards[static_cast<std::size_t>(end % 3 == up ? (up == 2 ? 1 : 2) : up)] =
     end == up && up != 2 ? -1.0 : 1.0;
-  this->Shown->GetPicture().LookAlong(along, upwards);
-  this->Shown->Draw();
+  this->Shown->Change([along, upwards](Picture& picture) { picture.LookAlong(along, upwards); });
 }
 
 //------------------------------------------------------------------------------
