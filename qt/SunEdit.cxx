@@ -15,7 +15,7 @@ namespace relievoQt
 {
 namespace
 {
-constexpr int LinesOfWords = 2;
+constexpr int LinesOfWords = 3;
 
 QFormLayout* AddPart(QWidget* part, const char* name, QWidget* whole)
 {
@@ -81,7 +81,7 @@ SunEdit::SunEdit(QWidget* parent)
   this->Words->setObjectName("place");
   this->Words->setWordWrap(true);
   this->Words->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  // Rows below must not move when the text changes from one line to two.
+  // Rows below must not move when the text changes from one line to three.
   this->Words->setMinimumHeight(LinesOfWords * this->Words->fontMetrics().lineSpacing());
   this->layout()->addWidget(this->Words);
   QObject::connect(this->By, static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged),

@@ -315,6 +315,24 @@ private Q_SLOTS:
     QCOMPARE(CountDifferent(after, this->Grab()), 0);
   }
 
+  // The names of views give the axis that they look from, by the axis that points up.
+  void namesOfViews()
+  {
+    this->Open({ this->WriteScene() });
+    const auto says = [this](const char* view) {
+      return this->Window->findChild<QAction*>(view)->text().remove('&');
+    };
+    QCOMPARE(says("look1"), QString("From right (+X)"));
+    QCOMPARE(says("lookCtrl+3"), QString("From the back (\u2212Z)"));
+    this->Change([](scene::Settings& settings) { settings.Set("--up", "z"); });
+    QCOMPARE(says("look3"), QString("From the front (\u2212Y)"));
+    QCOMPARE(says("lookCtrl+3"), QString("From the back (+Y)"));
+    QCOMPARE(says("look2"), QString("From above (+Z)"));
+    this->Window->findChild<QAction*>("lookCtrl+3")->trigger();
+    vtkCamera* camera = this->Window->GetView()->GetPicture().GetRenderer()->GetActiveCamera();
+    QVERIFY(camera->GetDirectionOfProjection()[1] < -0.999);
+  }
+
   // Tab goes around, through the picture and all groups of the panel in front, both ways.
   void tab()
   {

@@ -755,6 +755,67 @@ private Q_SLOTS:
     QVERIFY(this->Window->GetViewSettings().Get("--camera") != camera);
   }
 
+  // The edited spot's cone: seen along its axis, a circle as far from the light as its target.
+  void cone()
+  {
+    this->Open(
+      { this->WriteScene(), "--light", "point:1,2,0", "--light", "spot:0.5,4,-0.5,0.5,0,-0.5,30",
+        "--camera", "0,12,0.001,0,0,0,0,0,-1", "--parallel-scale", "3" });
+    viewer::LightHandles* handles = this->Window->GetLightHandles();
+    this->Window->findChild<QDockWidget*>("light")->raise();
+    QTRY_VERIFY_WITH_TIMEOUT(handles->isVisible(), 20000);
+    this->Select(0);
+    QVERIFY(handles->GetCone().empty());
+    this->Select(1);
+    const double unit = 6.0 / handles->height();
+    const QPointF middle(0.5 * handles->width() + 0.5 / unit, 0.5 * handles->height() - 0.5 / unit);
+    int around = 0;
+    int inwards = 0;
+    for (const QLineF& line : handles->GetCone())
+    {
+      const double ends[] = { QLineF(middle, line.p1()).length(),
+        QLineF(middle, line.p2()).length() };
+      QVERIFY2(std::abs(ends[1] * unit - 2.0) < 0.01, qPrintable(QString::number(ends[1] * unit)));
+      std::abs(ends[0] - ends[1]) < 1.0 ? ++around : ++inwards;
+    }
+    QVERIFY(around > 20 && inwards == 8);
+  }
+
+  // Undoing and redoing name the light and what changes of it.
+  void namesOfSteps()
+  {
+    this->Open({ this->WriteScene(), "--light", "spot:0,3,2,0,0,0,30,name=key" });
+    const auto undone = [this] { return this->Window->findChild<QAction*>("undo")->text(); };
+    this->Type("intensity", 0.5);
+    QCOMPARE(undone(), QString("&Undo: intensity of key"));
+    this->Type("cone", 20.0);
+    QCOMPARE(undone(), QString("&Undo: place of key"));
+    this->GetButton("add")->menu()->findChild<QAction*>("sun")->trigger();
+    QCOMPARE(undone(), QString("&Undo: new light 1"));
+    this->GetButton("remove")->click();
+    QCOMPARE(undone(), QString("&Undo: removal of light 1"));
+    this->Window->GetDocument()->Undo();
+    this->Window->GetDocument()->Undo();
+    QCOMPARE(undone(), QString("&Undo: place of key"));
+    QCOMPARE(this->Window->findChild<QAction*>("redo")->text(), QString("&Redo: new light 1"));
+  }
+
+  // The time zone follows the longitude, and the panel says so, until a zone is typed.
+  void timeZone()
+  {
+    this->Open({ this->WriteScene(), "--light", "sun:2026-06-21T12:00Z,48,0" });
+    const auto says = [this] { return this->GetGroup()->findChild<QLabel*>("place")->text(); };
+    QVERIFY2(says().contains("UTC+0 (from the longitude"), qPrintable(says()));
+    this->Type("longitude", 11.6);
+    QCOMPARE(this->GetLights()[0], std::string("sun:2026-06-21T12:00+01:00,48,11.6"));
+    QVERIFY2(says().contains("UTC+1 (from the longitude"), qPrintable(says()));
+    this->Type("timezone", 2.0);
+    QCOMPARE(this->GetLights()[0], std::string("sun:2026-06-21T12:00+02:00,48,11.6"));
+    QVERIFY2(!says().contains("longitude"), qPrintable(says()));
+    this->Type("longitude", 100.0);
+    QCOMPARE(this->GetLights()[0], std::string("sun:2026-06-21T12:00+02:00,48,100"));
+  }
+
   // A slider stands where its number is, also before it was ever moved.
   void sliderAndNumber()
   {

@@ -308,6 +308,10 @@ private Q_SLOTS:
     this->Find<QCheckBox>("colors", "automaticRange")->setChecked(true);
     this->Choose("colors", "colorby", "point:height");
     auto* bar = this->Find<QCheckBox>("colors", "scalarbar");
+    QVERIFY(bar->isChecked()); // since the first array
+    bar->setChecked(false);
+    this->Choose("colors", "colorby", "cell:height");
+    QVERIFY(!bar->isChecked());
     bar->setChecked(true);
     QVERIFY(this->Window->GetDocument()->Get().Has("--scalar-bar"));
     this->Choose("colors", "colorby", "rgb");

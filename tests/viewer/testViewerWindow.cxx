@@ -20,6 +20,8 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
+#include <QDir>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
@@ -406,13 +408,25 @@ private Q_SLOTS:
     QVERIFY(shell.waitForFinished(600000));
     QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
     QCOMPARE(CountDifferent(this->Grab(), ReadPNG(this->Path("picture.png"))), 0);
-    // With a camera path, it says how to make a film.
-    for (int i = 0; i < 2; ++i)
-    {
-      this->Window->findChild<QAbstractButton*>("addView")->click();
-    }
+    // With a camera path, it says where the film's command is, which draws the same frames.
+    auto* path = this->Window->findChild<QGroupBox*>("cameraPath");
+    QVERIFY(!path->findChild<QAbstractButton*>("copyFilm")->isEnabled());
+    path->findChild<QAbstractButton*>("addView")->click();
+    path->findChild<QWidget*>("seconds")->findChild<QDoubleSpinBox*>()->setValue(0.04);
+    this->Window->GetView()->GetPicture().Turn(-30.0, 0.0);
+    path->findChild<QAbstractButton*>("addView")->click();
     copy->trigger();
-    QVERIFY2(said->text().contains("--camera-path SESSION.json"), qPrintable(said->text()));
+    QVERIFY2(said->text().contains("Camera path"), qPrintable(said->text()));
+    path->findChild<QAbstractButton*>("copyFilm")->click();
+    QString film = QApplication::clipboard()->text();
+    QVERIFY2(film.contains("--video film.mp4"), qPrintable(film));
+    shell.start("sh", { "-c", film.replace("--video film.mp4", "--png f%d.png") });
+    QVERIFY(shell.waitForFinished(600000));
+    QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
+    const QStringList frames =
+      QDir(shell.workingDirectory()).entryList({ "f*.png" }, QDir::Files, QDir::Name);
+    QCOMPARE(frames.size(), 2);
+    QCOMPARE(CountDifferent(this->Grab(), ReadPNG(this->Path(frames[1].toStdString()))), 0);
   }
 
   // Colours of values are left out where no values are shown.

@@ -159,7 +159,8 @@ void ScenePanel::AddScene()
   }
   this->Images = AddChoice(this->Edited, group->GetRows(), "--image", "as the preset",
     "How images with depth are shown: regions of one value by their smooth surfaces, the surface "
-    "where a value is reached, all values as a volume that light passes, or the outer faces");
+    "where a value is reached, all values as a volume that light passes, or the outer faces",
+    { { "labels", "regions (labels)" } });
   const auto changed = static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged);
   QObject::connect(this->Preset, changed, this, [this] {
     this->Edited->Change([this](scene::Settings& settings) {

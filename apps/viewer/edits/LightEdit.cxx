@@ -42,6 +42,12 @@ std::vector<double> Concatenate(const std::array<double, 3>& a, const std::array
 {
   return { a[0], a[1], a[2], b[0], b[1], b[2] };
 }
+
+// The whole hours between UTC and the sun's mean time at a longitude.
+double FindZone(double longitude)
+{
+  return std::round(longitude / 15.0);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -266,8 +272,15 @@ void LightEdit::ShowSun(const look::LightChoice& light)
 //------------------------------------------------------------------------------
 void LightEdit::ShowWords()
 {
-  this->Sun->SetWords(relievoQt::SunEdit::WritePlace(
-    this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue(), this->Sun->IsByPlace()));
+  const bool byPlace = this->Sun->IsByPlace();
+  const double zone = this->Time.TimeZone;
+  const QString words = relievoQt::SunEdit::WritePlace(
+    this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue(), byPlace);
+  this->Sun->SetWords(!byPlace || zone != FindZone(this->Time.Longitude) ? words
+                                                                         : words +
+        QString(" Clock: UTC%1%2 (from the longitude, no summer time).")
+          .arg(zone < 0.0 ? QChar(0x2212) : QChar('+'))
+          .arg(std::abs(zone)));
 }
 
 //------------------------------------------------------------------------------
@@ -281,6 +294,11 @@ void LightEdit::WriteSun()
   else
   {
     const QDate date = this->Sun->Date->date();
+    if (this->Sun->Longitude->GetValue() != this->Time.Longitude &&
+      this->Time.TimeZone == FindZone(this->Time.Longitude)) // not typed
+    {
+      this->Sun->TimeZone->SetValue(FindZone(this->Sun->Longitude->GetValue()));
+    }
     this->Time = { date.year(), date.month(), date.day(), this->Sun->Time->GetValue(),
       this->Sun->TimeZone->GetValue(), this->Sun->Latitude->GetValue(),
       this->Sun->Longitude->GetValue() };

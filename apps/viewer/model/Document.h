@@ -57,9 +57,9 @@ public:
   bool CanUndo() const { return this->Past.CanUndo(); }
   bool CanRedo() const { return this->Past.CanRedo(); }
 
-  /// The changes, as Settings::GetChanges names them, that the next undo or redo makes.
-  std::set<std::string> GetUndone() const { return this->Past.GetUndone(this->Now); }
-  std::set<std::string> GetRedone() const { return this->Past.GetRedone(this->Now); }
+  /// The settings after the next undo or redo; the present ones if there is none.
+  const scene::Settings& GetPast() const { return this->Past.GetPast(this->Now); }
+  const scene::Settings& GetFuture() const { return this->Past.GetFuture(this->Now); }
   void ForgetPast();
 
   ///@}

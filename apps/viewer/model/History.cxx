@@ -58,15 +58,15 @@ std::optional<scene::Settings> History::Redo(const scene::Settings& now)
 }
 
 //------------------------------------------------------------------------------
-std::set<std::string> History::GetUndone(const scene::Settings& now) const
+const scene::Settings& History::GetPast(const scene::Settings& now) const
 {
-  return this->Past.empty() ? std::set<std::string>() : this->Past.back().GetChanges(now);
+  return this->Past.empty() ? now : this->Past.back();
 }
 
 //------------------------------------------------------------------------------
-std::set<std::string> History::GetRedone(const scene::Settings& now) const
+const scene::Settings& History::GetFuture(const scene::Settings& now) const
 {
-  return this->Future.empty() ? std::set<std::string>() : now.GetChanges(this->Future.back());
+  return this->Future.empty() ? now : this->Future.back();
 }
 
 //------------------------------------------------------------------------------

@@ -37,9 +37,9 @@ public:
   bool CanRedo() const { return !this->Future.empty(); }
 
   ///@{
-  /// The changes that undoing or redoing makes to the present settings.
-  std::set<std::string> GetUndone(const scene::Settings& now) const;
-  std::set<std::string> GetRedone(const scene::Settings& now) const;
+  /// The settings that undoing or redoing restores, else the present ones.
+  const scene::Settings& GetPast(const scene::Settings& now) const;
+  const scene::Settings& GetFuture(const scene::Settings& now) const;
   ///@}
 
 private:

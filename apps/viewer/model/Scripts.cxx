@@ -59,6 +59,16 @@ std::string Quote(const std::string& word)
   return quoted + "'";
 }
 
+std::string QuoteAll(const std::vector<std::string>& words)
+{
+  std::string line;
+  for (const std::string& word : words)
+  {
+    line += " " + Quote(word);
+  }
+  return line;
+}
+
 //------------------------------------------------------------------------------
 // The text as a Python string, or as bytes unless it is UTF-8.
 std::string QuoteForPython(const std::string& text)
@@ -100,12 +110,27 @@ std::string WriteList(const std::vector<std::string>& values)
 //------------------------------------------------------------------------------
 std::string WriteCommand(const scene::Settings& view, const std::string& png)
 {
-  std::string line = "relievo render --png " + Quote(png);
-  for (const std::string& word : view.GetWords())
+  return "relievo render --png " + Quote(png) + QuoteAll(view.GetWords());
+}
+
+//------------------------------------------------------------------------------
+std::string WriteFilmCommand(
+  const scene::Settings& view, const std::vector<scene::CameraKey>& keys, const std::string& film)
+{
+  scene::Settings rest = view;
+  rest.Remove("--camera"); // the path's
+  std::string lines = "cat > camera-path.csv <<END\ntime,px,py,pz,fx,fy,fz,ux,uy,uz\n";
+  for (const scene::CameraKey& key : keys)
   {
-    line += " " + Quote(word);
+    std::vector<double> numbers = { key.Time };
+    for (const auto& place : { key.Place.Position, key.Place.FocalPoint, key.Place.ViewUp })
+    {
+      numbers.insert(numbers.end(), place.begin(), place.end());
+    }
+    lines += words::WriteNumbers(numbers) + "\n";
   }
-  return line;
+  return lines + "END\nrelievo render --camera-path camera-path.csv --video " + Quote(film) +
+    QuoteAll(rest.GetWords());
 }
 
 //------------------------------------------------------------------------------

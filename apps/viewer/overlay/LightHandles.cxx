@@ -6,6 +6,8 @@
 #include "Pick.h"
 #include "PictureView.h"
 
+#include "vtkMath.h"
+
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -23,6 +25,8 @@ constexpr double Ring = 7.0;  // radius
 constexpr double Ray = 14.0;  // distance of its end from the centre
 constexpr double Border = 20; // least distance of handles from the view's border
 constexpr double Reach = 15;  // of a handle, for the mouse and for drawing
+
+constexpr int Sides = 48; // of a cone's circle
 
 constexpr double Digits = 1e-3; // precision of a place, relative to the scene's size
 
@@ -113,26 +117,94 @@ std::vector<LightHandles::Handle> LightHandles::FindHandles() const
 }
 
 //------------------------------------------------------------------------------
+// A circle as far from the light as the target, and lines to it. Without the lines that would pass
+// behind the camera.
+std::vector<QLineF> LightHandles::FindCone() const
+{
+  std::vector<QLineF> lines;
+  const std::vector<std::string> words = this->Edited->Get().GetAll("--light");
+  if (!this->Wanted || this->View->IsEmpty() || this->Current < 0 ||
+    this->Current >= static_cast<int>(words.size()))
+  {
+    return lines;
+  }
+  const look::LightChoice light = look::ParseLight(words[static_cast<std::size_t>(this->Current)]);
+  double along[3], right[3], up[3];
+  vtkMath::Subtract(light.FocalPoint.data(), light.Position.data(), along);
+  const double length = vtkMath::Normalize(along);
+  if (light.Is != look::LightChoice::Kind::Spot || light.ConeAngle > 90.0 || length == 0.0)
+  {
+    return lines;
+  }
+  vtkMath::Perpendiculars(along, right, up, 0.0);
+  const Picture& picture = this->View->GetPicture();
+  const auto place = [&](const std::array<double, 3>& world) {
+    const std::array<double, 2> seen = Project(picture, world);
+    return QPointF(0.5 * this->width() * (1.0 + seen[0]), 0.5 * this->height() * (1.0 - seen[1]));
+  };
+  const double half = vtkMath::RadiansFromDegrees(light.ConeAngle);
+  std::vector<QPointF> circle;
+  for (int i = 0; i < Sides; ++i)
+  {
+    const double turn = 2.0 * vtkMath::Pi() * i / Sides;
+    std::array<double, 3> world = light.Position;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      world[k] += length *
+        (std::cos(half) * along[k] +
+          std::sin(half) * (std::cos(turn) * right[k] + std::sin(turn) * up[k]));
+    }
+    circle.push_back(place(world));
+  }
+  const auto add = [&](const QPointF& from, const QPointF& to) {
+    const double far = 4.0 * std::max(this->width(), this->height());
+    if (std::max({ std::abs(from.x()), std::abs(from.y()), std::abs(to.x()), std::abs(to.y()) }) <
+      far)
+    {
+      lines.emplace_back(from, to);
+    }
+  };
+  const QPointF top = place(light.Position);
+  for (std::size_t i = 0; i < circle.size(); ++i)
+  {
+    add(circle[i], circle[(i + 1) % circle.size()]);
+    if (i % (circle.size() / 8) == 0)
+    {
+      add(top, circle[i]);
+    }
+  }
+  return lines;
+}
+
+//------------------------------------------------------------------------------
 // While a sample is drawn, the handles stay; another call follows the sample.
 void LightHandles::Follow()
 {
   if (!this->View->IsDrawing())
   {
-    this->Show(this->FindHandles());
+    this->Show(this->FindHandles(), this->FindCone());
   }
 }
 
 //------------------------------------------------------------------------------
 // The mask leaves the mouse to the picture outside the handles.
-void LightHandles::Show(const std::vector<Handle>& handles)
+void LightHandles::Show(const std::vector<Handle>& handles, const std::vector<QLineF>& cone)
 {
   this->setVisible(!handles.empty());
-  if (handles == this->Handles)
+  if (handles == this->Handles && cone == this->Cone)
   {
     return;
   }
   this->Handles = handles;
+  this->Cone = cone;
   QRegion region;
+  const auto addLine = [&region](const QLineF& drawn) {
+    QPainterPath line(drawn.p1());
+    line.lineTo(drawn.p2());
+    QPainterPathStroker wide;
+    wide.setWidth(4.0);
+    region += QRegion(wide.createStroke(line).toFillPolygon().toPolygon(), Qt::WindingFill);
+  };
   for (const Handle& handle : handles)
   {
     const QRectF around(handle.Place - QPointF(Reach, Reach), QSizeF(2 * Reach, 2 * Reach));
@@ -140,12 +212,12 @@ void LightHandles::Show(const std::vector<Handle>& handles)
     const Handle* ball = handle.IsTarget ? this->Find(handle.Light, false) : nullptr;
     if (ball)
     {
-      QPainterPath line(handle.Place);
-      line.lineTo(ball->Place);
-      QPainterPathStroker wide;
-      wide.setWidth(4.0);
-      region += QRegion(wide.createStroke(line).toFillPolygon().toPolygon(), Qt::WindingFill);
+      addLine(QLineF(handle.Place, ball->Place));
     }
+  }
+  for (const QLineF& line : this->Cone)
+  {
+    addLine(line);
   }
   if (!handles.empty())
   {
@@ -300,6 +372,12 @@ void LightHandles::paintEvent(QPaintEvent*)
       stroke(1.0, [&] { painter.drawLine(ball->Place, handle.Place); });
     }
   }
+  stroke(1.0, [&] {
+    for (const QLineF& line : this->Cone)
+    {
+      painter.drawLine(line);
+    }
+  });
   for (const Handle& handle : this->Handles)
   {
     painter.setOpacity(handle.IsInside ? 1.0 : 0.7);

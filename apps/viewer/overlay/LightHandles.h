@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Handles over the picture for the spots and point lights of --light: a ball at each position, and
- * a ring at the edited spot's target. A ball is dragged in the plane of the view, a ring over the
- * surfaces. Handles outside the picture are at its border. Saved pictures do not contain them.
+ * a ring at the edited spot's target, with the outline of its cone. A ball is dragged in the plane
+ * of the view, a ring over the surfaces. Handles outside the picture are at its border. Saved
+ * pictures do not contain them.
  */
 #ifndef LightHandles_h
 #define LightHandles_h
@@ -13,6 +14,7 @@
 #include "Probe.h"
 
 #include <QColor>
+#include <QLineF>
 #include <QPointF>
 
 #include <array>
@@ -39,6 +41,9 @@ public:
 
   /// Index of the edited light among those of --light; -1: none.
   void Select(int light);
+
+  /// The lines of the edited spot's cone.
+  const std::vector<QLineF>& GetCone() const { return this->Cone; }
 
   /// Position of a handle in the view: the ball of a light, or the ring of its target; none if
   /// there is no handle.
@@ -69,14 +74,16 @@ private:
   };
 
   std::vector<Handle> FindHandles() const;
+  std::vector<QLineF> FindCone() const;
   const Handle* Find(const QPointF& at) const;
   const Handle* Find(int light, bool target) const;
-  void Show(const std::vector<Handle>& handles);
+  void Show(const std::vector<Handle>& handles, const std::vector<QLineF>& cone);
   void Drag(const QPoint& at);
 
   Document* Edited;
   PictureView* View;
   std::vector<Handle> Handles; // front ones last
+  std::vector<QLineF> Cone;    // of the edited spot
   int Current = -1;
   bool Wanted = false;
   std::optional<Handle> Held; // state at the press

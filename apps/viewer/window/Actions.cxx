@@ -5,6 +5,7 @@
 #include "Appearance.h"
 #include "AxisMarker.h"
 #include "HelpMenu.h"
+#include "LightOptions.h"
 #include "MainWindow.h"
 #include "OptionNames.h"
 #include "Picture.h"
@@ -29,6 +30,7 @@
 #include <QMenuBar>
 #include <QSignalBlocker>
 
+#include <algorithm>
 #include <exception>
 #include <functional>
 #include <set>
@@ -41,9 +43,7 @@ namespace
 // In the order of their tabs.
 const char* const Panels[] = { "&Scene", "&Light", "L&ook", "La&yers", "&Report", "&Comparison" };
 
-const char* const FilmHint =
-  "; for a film of the camera path, save a session and write --camera-path SESSION.json --video "
-  "film.mp4 instead of --png picture.png";
+const char* const FilmHint = "; that of the film is copied in Camera path";
 
 QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySequence& key,
   const QString& name, const std::function<void()>& run)
@@ -218,9 +218,66 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
 }
 
 //------------------------------------------------------------------------------
-// Names changes of settings by their control or group; other files bring other settings.
-QString NameChanges(const MainWindow* window, const std::set<std::string>& changes)
+// Names a change of the lights: the light that comes or goes, or what changes of one.
+QString NameLights(const std::vector<std::string>& before, const std::vector<std::string>& after)
 {
+  const auto nameLight = [](const std::vector<std::string>& lights, std::size_t i) {
+    const std::string name = look::ParseLight(lights[i]).Name;
+    return name.empty() ? QString("light %1").arg(i) : QString::fromStdString(name);
+  };
+  const std::vector<std::string>& more = before.size() > after.size() ? before : after;
+  const std::vector<std::string>& less = before.size() > after.size() ? after : before;
+  const auto first = static_cast<std::size_t>(
+    std::mismatch(less.begin(), less.end(), more.begin()).first - less.begin());
+  if (more.size() == less.size() + 1 &&
+    std::equal(less.begin() + static_cast<std::ptrdiff_t>(first), less.end(),
+      more.begin() + static_cast<std::ptrdiff_t>(first) + 1))
+  {
+    return (&more == &after ? "new " : "removal of ") + nameLight(more, first);
+  }
+  if (more.size() != less.size() || first == less.size() ||
+    !std::equal(less.begin() + static_cast<std::ptrdiff_t>(first) + 1, less.end(),
+      more.begin() + static_cast<std::ptrdiff_t>(first) + 1))
+  {
+    return QString();
+  }
+  const look::LightWords was = look::SplitLight(before[first]);
+  const look::LightWords is = look::SplitLight(after[first]);
+  QStringList parts;
+  if (was.Kind != is.Kind || was.Numbers != is.Numbers)
+  {
+    parts += "place";
+  }
+  const struct
+  {
+    const char* Word;
+    const char* Name;
+  } values[] = { { "color", "colour" }, { "intensity", "intensity" }, { "size", "softness" },
+    { "casts", "shadow" }, { "name", "name" } };
+  for (const auto& value : values)
+  {
+    if (words::FindWords(was.Values, value.Word) != words::FindWords(is.Values, value.Word))
+    {
+      parts += value.Name;
+    }
+  }
+  return (parts.size() == 1 ? parts[0] + " of " : QString()) + nameLight(before, first);
+}
+
+//------------------------------------------------------------------------------
+// Names changes of settings by their control or group; other files bring other settings.
+QString NameChanges(
+  const MainWindow* window, const scene::Settings& before, const scene::Settings& after)
+{
+  const std::set<std::string> changes = before.GetChanges(after);
+  if (changes == std::set<std::string>{ "--light" })
+  {
+    const QString name = NameLights(before.GetAll("--light"), after.GetAll("--light"));
+    if (!name.isEmpty())
+    {
+      return name;
+    }
+  }
   QString name;
   for (const std::string& change : changes)
   {
@@ -239,12 +296,13 @@ QString NameChanges(const MainWindow* window, const std::set<std::string>& chang
 }
 
 //------------------------------------------------------------------------------
-// Appends the name of the setting that the step changes, in the menu and the tool tip.
-void NameStep(const MainWindow* window, QAction* action, const std::set<std::string>& changes)
+// Appends the name of the setting that the step's edit changes, in the menu and the tool tip.
+void NameStep(const MainWindow* window, QAction* action, const scene::Settings& before,
+  const scene::Settings& after)
 {
   const QString text = action->text().section(':', 0, 0);
   const QString plain = QString(text).remove('&');
-  const QString name = NameChanges(window, changes);
+  const QString name = NameChanges(window, before, after);
   action->setText(text + (name.isEmpty() ? "" : ": " + QString(name).replace("&", "&&")));
   action->setToolTip(plain + (name.isEmpty() ? "" : ": " + name) + " (" +
     action->shortcut().toString(QKeySequence::NativeText) + ")");
@@ -274,8 +332,9 @@ void AddEditMenu(MainWindow* window)
   const auto follow = [window, document, undo, redo] {
     undo->setEnabled(document->CanUndo());
     redo->setEnabled(document->CanRedo());
-    NameStep(window, undo, document->GetUndone());
-    NameStep(window, redo, document->GetRedone());
+    const scene::Settings& now = document->Get();
+    NameStep(window, undo, document->GetPast(), now);
+    NameStep(window, redo, now, document->GetFuture());
   };
   QObject::connect(document, &Document::pastChanged, undo, follow);
   undo->setEnabled(false);
@@ -420,14 +479,19 @@ void AddJumps(MainWindow* window, QMenu* menu)
 }
 
 //------------------------------------------------------------------------------
+// The end of an axis from which a view along it looks.
+QString NameEnd(const std::array<double, 3>& along)
+{
+  const std::size_t axis = along[0] != 0.0 ? 0 : along[1] != 0.0 ? 1 : 2;
+  return QString(along[axis] < 0.0 ? QChar('+') : QChar(0x2212)) + "XYZ"[axis];
+}
+
+//------------------------------------------------------------------------------
 void AddViewMenu(MainWindow* window)
 {
   QMenu* menu = window->menuBar()->addMenu("&View");
   const auto draw = [window](const std::function<void(Picture&)>& change) {
-    return [window, change] {
-      change(window->GetView()->GetPicture());
-      window->GetView()->Draw();
-    };
+    return [window, change] { window->GetView()->Change(change); };
   };
   menu->setToolTipsVisible(true);
   NeedPicture(window,
@@ -450,19 +514,25 @@ void AddViewMenu(MainWindow* window)
   views->setToolTipsVisible(true);
   for (const auto& side : sides)
   {
+    // The names of sides assume y up; other axes turn them like the fitted camera.
+    const auto turn = [document = window->GetDocument()](const std::array<double, 3>& v) {
+      const int axis = document->GetUpAxis();
+      return axis == 2 ? std::array<double, 3>{ v[0], -v[2], v[1] }
+        : axis == 0    ? std::array<double, 3>{ v[1], -v[0], v[2] }
+                       : v;
+    };
     QAction* look = Add(menu, window, side.Text, QKeySequence(side.Key), QString("look") + side.Key,
-      [window, along = side.Along, up = side.Up] {
-        const int axis = window->GetDocument()->GetUpAxis();
-        // The names of sides assume y up; other axes turn them like the fitted camera.
-        const auto turn = [&axis](const std::array<double, 3>& v) {
-          return axis == 2 ? std::array<double, 3>{ v[0], -v[2], v[1] }
-            : axis == 0    ? std::array<double, 3>{ v[1], -v[0], v[2] }
-                           : v;
-        };
-        window->GetView()->GetPicture().LookAlong(turn(along), turn(up));
-        window->GetView()->Draw();
+      [window, turn, along = side.Along, up = side.Up] {
+        window->GetView()->Change([side = turn(along), upwards = turn(up)](
+                                    Picture& picture) { picture.LookAlong(side, upwards); });
       });
     NeedPicture(window, look)->setToolTip("The whole scene, with the up axis upwards");
+    const auto name = [look, turn, side] {
+      look->setText(side.Text + (" (" + NameEnd(turn(side.Along)) + ")"));
+    };
+    QObject::connect(window->GetDocument(), &Document::changed, look, name);
+    QObject::connect(window->GetDocument(), &Document::factsChanged, look, name);
+    name();
     if (QString(side.Key).size() == 1) // a digit alone, which may be meant for a number
     {
       look->setShortcutContext(Qt::WidgetShortcut);
@@ -476,8 +546,7 @@ void AddViewMenu(MainWindow* window)
   parallel->setShortcut(QKeySequence("P"));
   parallel->setCheckable(true);
   QObject::connect(parallel, &QAction::toggled, window, [window](bool on) {
-    window->GetView()->GetPicture().SetParallel(on);
-    window->GetView()->Draw();
+    window->GetView()->Change([on](Picture& picture) { picture.SetParallel(on); });
   });
   // Files and sessions can switch it too.
   QObject::connect(window->GetView(), &PictureView::drawn, parallel, [window, parallel] {

@@ -13,6 +13,7 @@
 #include "PictureView.h"
 #include "RecentFiles.h"
 #include "SaveDialog.h"
+#include "Scripts.h"
 #include "SessionFile.h"
 #include "StyledScene.h"
 #include "TimeBar.h"
@@ -273,6 +274,14 @@ void MainWindow::ConnectPath()
   });
   QObject::connect(
     this->Path, &PathGroup::refused, this, [this](const QString& why) { this->Say(why, true); });
+  QObject::connect(this->Path, &PathGroup::copyWanted, this, [this] {
+    if (!this->Shown->IsEmpty())
+    {
+      QApplication::clipboard()->setText(QString::fromStdString(
+        WriteFilmCommand(this->GetCopiedSettings(), this->Path->GetKeys(), "film.mp4")));
+      this->Say("Copied: the command that makes this film");
+    }
+  });
   QObject::connect(this->Path, &PathGroup::filmWanted, this, [this] {
     try
     {

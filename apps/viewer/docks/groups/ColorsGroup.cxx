@@ -239,6 +239,10 @@ void ColorsGroup::SetColorBy(const QString& name, const QString& component)
     {
       settings.Remove("--color");
     }
+    if (!name.isEmpty() && this->Edited->Get().Get("--color-by").empty())
+    {
+      settings.Set("--scalar-bar", ""); // the first array: its values are read from the bar
+    }
     if (!this->HasValues(name, component)) // the bar would be empty
     {
       settings.Remove("--scalar-bar");

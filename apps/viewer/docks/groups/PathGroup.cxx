@@ -62,6 +62,9 @@ PathGroup::PathGroup(QWidget* parent)
   this->GetRows()->addRow(this->List);
   this->GetRows()->addRow("Time", this->Seconds);
   addBoth(this->Player, this->Film);
+  this->Copier = MakeButton("Copy film as command", "copyFilm",
+    "Copies lines for a shell that write the views to a file and draw the same film", this);
+  this->GetRows()->addRow(this->Copier);
   this->Tick.setInterval(TickMilliseconds);
   QObject::connect(adder, &QPushButton::clicked, this, &PathGroup::addWanted);
   QObject::connect(this->Remover, &QPushButton::clicked, this, &PathGroup::Remove);
@@ -70,6 +73,7 @@ PathGroup::PathGroup(QWidget* parent)
     this->Player->setChecked(false);
     Q_EMIT this->filmWanted();
   });
+  QObject::connect(this->Copier, &QPushButton::clicked, this, &PathGroup::copyWanted);
   QObject::connect(this->Seconds, &relievoQt::Number::edited, this,
     [this](double seconds) { this->SetSeconds(seconds); });
   QObject::connect(&this->Tick, &QTimer::timeout, this, &PathGroup::ShowMoment);
@@ -169,5 +173,6 @@ void PathGroup::ShowKeys(int current)
   this->Remover->setEnabled(!this->Keys.empty());
   this->Player->setEnabled(this->Keys.size() > 1);
   this->Film->setEnabled(this->Keys.size() > 1);
+  this->Copier->setEnabled(this->Keys.size() > 1);
 }
 }

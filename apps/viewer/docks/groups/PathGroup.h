@@ -44,6 +44,7 @@ Q_SIGNALS:
 
   void viewWanted(const look::CameraPlace& view);
   void filmWanted();
+  void copyWanted();
 
   /// No path leads through these views.
   void refused(const QString& why);
@@ -58,7 +59,7 @@ private:
   std::vector<scene::CameraKey> Keys;
   QListWidget* List;
   relievoQt::Number* Seconds; // from each view to the next
-  QPushButton *Remover, *Player, *Film;
+  QPushButton *Remover, *Player, *Film, *Copier;
   QTimer Tick;
   QElapsedTimer Played;
 };
