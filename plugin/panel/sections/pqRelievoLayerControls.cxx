@@ -174,6 +174,7 @@ pqRelievoLayerControls::pqRelievoLayerControls(QWidget* parent)
 void pqRelievoLayerControls::AddColors(QFormLayout* rows)
 {
   this->Colors = new QWidget(this);
+  this->Colors->setObjectName("colors");
   QFormLayout* colors = relievoQt::MakeRows(this->Colors);
   this->Colormap->setObjectName("colormap");
   const std::vector<std::string>& names = vtkRelievoColormaps::GetNames();
@@ -317,6 +318,7 @@ void pqRelievoLayerControls::ShowColors(const QString& layer)
   const bool given = range.size() == 2 && range[0].toDouble() < range[1].toDouble();
   this->Range->Show(given ? QString::number(range[0].toDouble()) : QString(),
     given ? QString::number(range[1].toDouble()) : QString());
+  this->Range->SetUnit(relievoQt::GetUnit(name));
 }
 
 //------------------------------------------------------------------------------

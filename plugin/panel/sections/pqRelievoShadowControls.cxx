@@ -82,6 +82,7 @@ void pqRelievoShadowControls::AddSoft(QWidget* parent)
   auto* samples = new relievoQt::Number(2.0, 128.0, 1.0, 0, this->Softness);
   samples->setObjectName("samples");
   samples->SetTypedRange(2.0, 4096.0);
+  samples->SetUnit("pictures");
   samples->setToolTip("More are smoother, and take as many pictures");
   relievoQt::AddRow(rows, "Softness", angle);
   relievoQt::AddRow(rows, "Samples", samples);
