@@ -9,8 +9,6 @@
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -25,8 +23,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace look
 {
@@ -52,19 +52,36 @@ double GetRadius(int ring)
                             : Near + (Reach - Near) * (ring - InnerRings) / (Rings - InnerRings);
 }
 
-// The sky's share of the light on a ground that faces up, about; the rest is the first light's.
-constexpr double SkyShare = 0.5;
+// The displayed share of the light that reaches a place from which all of the sky is hidden, in
+// pictures without shadows: about that of a preset's first light, whose strength is unknown here.
+constexpr double PlainDirect = 0.5;
+
+// The displayed share of the light where this share of the sky is hidden, which is one of linear light.
+double GetPlainContact(double hidden)
+{
+  return std::pow(1.0 - hidden * (1.0 - std::pow(PlainDirect, 2.2)), 1.0 / 2.2);
+}
 
 unsigned char MakeByte(double value)
 {
   return static_cast<unsigned char>(std::lround(255.0 * value));
 }
 
-// Means of neighbours hide the few directions in which the sky is sampled.
-void Smooth(vtkFloatArray* shades)
+// Neighbours look in other directions, by these shares of the angle between two: means of neighbours,
+// in which all four shares have the same weight, know four times as many.
+double GetTurn(int ring, int sector)
 {
-  vtkNew<vtkFloatArray> found;
-  found->DeepCopy(shades);
+  return 0.5 * (ring % 2) + 0.25 * ((ring + sector) % 2);
+}
+
+using HiddenSky = std::vector<float>; // of each point
+
+HiddenSky Smooth(HiddenSky found)
+{
+  // All sectors have the same point in the middle.
+  const float middle = std::accumulate(found.begin(), found.begin() + Sectors, 0.0F) / Sectors;
+  std::fill_n(found.begin(), Sectors, middle);
+  HiddenSky smooth = found;
   for (int ring = 1; ring < Rings; ++ring)
   {
     for (int sector = 0; sector < Sectors; ++sector)
@@ -75,13 +92,13 @@ void Smooth(vtkFloatArray* shades)
         for (int ds = -1; ds <= 1; ++ds)
         {
           const float weight = (dr == 0 ? 2.0F : 1.0F) * (ds == 0 ? 2.0F : 1.0F) / 16.0F;
-          sum +=
-            weight * found->GetValue((ring + dr) * Sectors + (sector + ds + Sectors) % Sectors);
+          sum += weight * found[(ring + dr) * Sectors + (sector + ds + Sectors) % Sectors];
         }
       }
-      shades->SetValue(ring * Sectors + sector, sum);
+      smooth[ring * Sectors + sector] = sum;
     }
   }
+  return smooth;
 }
 
 vtkPolyData* GetDisc(vtkActor* ground)
@@ -89,16 +106,11 @@ vtkPolyData* GetDisc(vtkActor* ground)
   return vtkPolyData::SafeDownCast(ground->GetMapper()->GetInputDataObject(0, 0));
 }
 
-// The factor of the colour at each point.
-vtkFloatArray* GetShades(vtkActor* ground)
+// The colours where nothing hides the sky, and the hidden share of the sky.
+vtkFloatArray* GetCatcher(vtkActor* ground)
 {
-  return vtkFloatArray::SafeDownCast(GetDisc(ground)->GetPointData()->GetArray("shade"));
-}
-
-// The colour where nothing hides the sky. The points' bytes are rounded, after the shades.
-vtkDoubleArray* GetExactColor(vtkActor* ground)
-{
-  return vtkDoubleArray::SafeDownCast(GetDisc(ground)->GetFieldData()->GetArray("exact color"));
+  return vtkFloatArray::SafeDownCast(
+    GetDisc(ground)->GetPointData()->GetArray(vtkRelievoShadowCatcher::GetColorsName()));
 }
 
 vtkUnsignedCharArray* GetColors(vtkActor* ground)
@@ -126,8 +138,7 @@ vtkSmartPointer<vtkActor> MakeGround(
   middle[up] -= half[up] + 1e-4 * radius; // avoids z-fighting with flat bottoms
 
   vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> shades;
-  shades->SetName("shade");
+  HiddenSky hidden;
   const std::optional<GroundSky> sky = renderer
     ? std::optional<GroundSky>(std::in_place, renderer, bounds, upAxis, middle[up])
     : std::nullopt;
@@ -146,11 +157,18 @@ vtkSmartPointer<vtkActor> MakeGround(
       points->InsertNextPoint(point.data());
       const unsigned char tuple[4] = { 0, 0, 0, GetAlpha(radii) };
       colors->InsertNextTypedTuple(tuple);
-      shades->InsertNextValue(
-        static_cast<float>(sky && ring < Rings ? 1.0 - SkyShare * sky->GetHidden(point) : 1.0));
+      hidden.push_back(static_cast<float>(
+        sky && ring < Rings ? sky->GetHidden(point, GetTurn(ring, sector)) : 0.0));
     }
   }
-  Smooth(shades);
+  hidden = Smooth(std::move(hidden));
+  vtkNew<vtkFloatArray> catcher;
+  catcher->SetName(vtkRelievoShadowCatcher::GetColorsName());
+  catcher->SetNumberOfComponents(4);
+  for (const float share : hidden)
+  {
+    catcher->InsertNextTuple4(0.0, 0.0, 0.0, share);
+  }
   vtkNew<vtkCellArray> cells;
   for (vtkIdType ring = 0; ring < Rings; ++ring)
   {
@@ -166,15 +184,11 @@ vtkSmartPointer<vtkActor> MakeGround(
   disc->SetPoints(points);
   disc->SetPolys(cells);
   disc->GetPointData()->SetScalars(colors);
-  disc->GetPointData()->AddArray(shades);
-  vtkNew<vtkDoubleArray> exact;
-  exact->SetName("exact color");
-  exact->SetNumberOfComponents(3);
-  exact->SetNumberOfTuples(1);
-  disc->GetFieldData()->AddArray(exact);
+  disc->GetPointData()->AddArray(catcher);
 
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(disc);
+  vtkRelievoShadowCatcher::MapColors(mapper);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->PickableOff();
@@ -192,22 +206,28 @@ vtkSmartPointer<vtkActor> MakeGround(
 //------------------------------------------------------------------------------
 void GetGroundColor(vtkActor* ground, double color[3])
 {
-  GetExactColor(ground)->GetTypedTuple(0, color);
+  vtkFloatArray* catcher = GetCatcher(ground);
+  for (int i = 0; i < 3; ++i)
+  {
+    color[i] = catcher->GetTypedComponent(0, i);
+  }
 }
 
 //------------------------------------------------------------------------------
 void SetGroundColor(vtkActor* ground, const double color[3])
 {
-  GetExactColor(ground)->SetTypedTuple(0, color);
   vtkUnsignedCharArray* colors = GetColors(ground);
-  vtkFloatArray* shades = GetShades(ground);
+  vtkFloatArray* catcher = GetCatcher(ground);
   for (vtkIdType point = 0; point < colors->GetNumberOfTuples(); ++point)
   {
+    const double contact = GetPlainContact(catcher->GetTypedComponent(point, 3));
     for (int i = 0; i < 3; ++i)
     {
-      colors->SetTypedComponent(point, i, MakeByte(color[i] * shades->GetValue(point)));
+      catcher->SetTypedComponent(point, i, static_cast<float>(color[i]));
+      colors->SetTypedComponent(point, i, MakeByte(color[i] * contact));
     }
   }
+  catcher->Modified();
   colors->Modified();
   GetDisc(ground)->Modified();
 }

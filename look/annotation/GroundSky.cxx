@@ -26,7 +26,7 @@ namespace look
 namespace
 {
 constexpr int Cells = 96; // along the scene's longer side
-constexpr int Directions = 16;
+constexpr int Directions = 32;
 constexpr int Bands = 32;      // of elevation, each with the same light
 constexpr double Growth = 0.2; // of steps, by the distance
 constexpr double LeastOpacity = 0.5;
@@ -49,11 +49,6 @@ GroundSky::GroundSky(vtkRenderer* renderer, const double bounds[6], int upAxis, 
   {
     this->Origin[i] = bounds[2 * this->Axes[i]];
     this->Size[i] = std::max(1, static_cast<int>(std::ceil(sides[i] / this->Cell)));
-  }
-  for (int direction = 0; direction < Directions; ++direction)
-  {
-    const double angle = 2.0 * vtkMath::Pi() * (direction + 0.5) / Directions;
-    this->Along.push_back({ std::cos(angle), std::sin(angle) });
   }
   this->Columns.assign(
     static_cast<std::size_t>(this->Size[0]) * this->Size[1], Column{ 1.0F, -1.0F });
@@ -147,7 +142,7 @@ void GroundSky::AddTriangle(const std::array<std::array<double, 3>, 3>& corners)
 }
 
 //------------------------------------------------------------------------------
-double GroundSky::GetHidden(const std::array<double, 3>& point) const
+double GroundSky::GetHidden(const std::array<double, 3>& point, double turn) const
 {
   if (this->Columns.empty())
   {
@@ -156,8 +151,10 @@ double GroundSky::GetHidden(const std::array<double, 3>& point) const
   const std::array<double, 2> from = { (point[this->Axes[0]] - this->Origin[0]) / this->Cell,
     (point[this->Axes[1]] - this->Origin[1]) / this->Cell };
   int hidden = 0;
-  for (const std::array<double, 2>& along : this->Along)
+  for (int direction = 0; direction < Directions; ++direction)
   {
+    const double angle = 2.0 * vtkMath::Pi() * (direction + turn) / Directions;
+    const std::array<double, 2> along = { std::cos(angle), std::sin(angle) };
     // Distances in cells at which the way enters and leaves the grid.
     double first = 0.5;
     double last = VTK_DOUBLE_MAX;

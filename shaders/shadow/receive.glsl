@@ -12,8 +12,9 @@
 // normalVCVSOutput is exact), RELIEVO_SHADOW_LINEAR_LIGHT (of PBR surfaces). Names shared with
 // other splices: splice/contract.glsl.
 //
-// On shadow catchers VTK's light code appears twice, in the sections CatchImpl and CaughtImpl: with
-// shadows and without. Both light a white surface; the catcher's colour is VTK's ambientColor.
+// On shadow catchers VTK's light code appears three times, before the section CaughtImpl and twice in
+// it: with shadows, without casting lights, and without shadows. All light a white surface; the
+// catcher's colour is VTK's ambientColor.
 //
 // The section MethodDec of the method's own file is inserted between the sections FragmentDec and
 // MapsDec. It declares the method's uniforms and defines
@@ -64,6 +65,19 @@ float relievoVisibilityOf(int number)
   int slot = number < RELIEVO_SHADOW_NUMBERS ? relievoShadowSlot[number] : -1;
   return slot < 0 ? 1.0 : relievoVisibility[slot];
 }
+
+// A catcher's array: the displayed colour of each point where all light reaches it, and the share of
+// the sky that is hidden from it. Other catchers have VTK's colour.
+//RELIEVO::Section(HiddenVertexDec)
+in vec4 relievoCatcher;
+out vec4 relievoCatcherVSOutput;
+//RELIEVO::Section(HiddenVertexImpl)
+  relievoCatcherVSOutput = relievoCatcher;
+//RELIEVO::Section(HiddenDec)
+in vec4 relievoCatcherVSOutput;
+#define RELIEVO_CATCHER relievoCatcherVSOutput
+//RELIEVO::Section(NothingHiddenDec)
+#define RELIEVO_CATCHER vec4(ambientColor, 0.0)
 
 // Left out where highlights have no strength: their powers are a tenth of the shader's work.
 //RELIEVO::Section(SpecularOfVTK)
@@ -191,8 +205,9 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 //RELIEVO::Section(CatchImpl)
   float relievoCatcherUp = 0.5 +
     0.5 * dot(relievoCatcherHeight[0], vertexVC) / dot(relievoCatcherHeight[1], vertexVC);
+  vec4 relievoCatches = RELIEVO_CATCHER;
   vec3 relievoCatcherColor =
-    ambientColor * (1.0 + clamp(relievoCatcherUp, 0.0, 1.0) * relievoCatcherRise);
+    relievoCatches.rgb * (1.0 + clamp(relievoCatcherUp, 0.0, 1.0) * relievoCatcherRise);
   ambientColor = vec3(0.0);
   diffuseColor = vec3(1.0);
 
@@ -202,6 +217,10 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 //RELIEVO::Section(CaughtImpl)
   vec3 relievoReaches = gl_FragData[0].rgb;
   {
+RELIEVO_OTHER_LIGHT_OF_VTK
+  }
+  vec3 relievoOthers = gl_FragData[0].rgb;
+  {
 RELIEVO_LIGHT_OF_VTK
   }
   ambientColor = relievoCatcherColor;
@@ -210,13 +229,14 @@ RELIEVO_LIGHT_OF_VTK
   {
     float all = gl_FragData[0][i];
     float share = relievoCatcherShare(relievoReaches[i], all);
-    relievoDirectLight[i] = pow(clamp(1.0 - relievoCatcherShare(0.0, all) / share, 0.0, 0.5), 2.2);
-    gl_FragData[0][i] = ambientColor[i] * share;
+    float direct = max(share - relievoCatcherShare(relievoOthers[i], all), 0.0);
+    // In linear light the hidden part of the sky is missing from all light but the casting lights'.
+    float whole = pow(share, 2.2);
+    float left = whole - relievoCatches.a * (whole - pow(direct, 2.2));
+    relievoDirectLight[i] = min(pow(direct, 2.2) / max(left, 1e-6), 1.0);
+    gl_FragData[0][i] = ambientColor[i] * pow(left, 1.0 / 2.2);
   }
 
-// The share of casting lights. For it VTK's light code appears twice, with them and without. On a
-// catcher it is the part of the light that a full shadow would take away, at most half, as in the
-// contact shade of grounds.
 //RELIEVO::Section(DirectDec)
 vec3 relievoDirectLight;
 #undef RELIEVO_DIRECT_LIGHT

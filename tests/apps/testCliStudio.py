@@ -9,7 +9,7 @@ import os
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
@@ -247,6 +247,23 @@ class Studio(CliTest):
             self.picture("flat.obj", *COARSE),
             self.picture("flat.obj", *COARSE, "--ground", "off"))  # fmt: skip
 
+    def test_contact_of_a_pole(self):
+        """Around a thin round pole the ground is equally dark in all directions."""
+        pole = vtkCylinderSource()
+        pole.SetRadius(0.25)
+        pole.SetHeight(4)
+        pole.SetResolution(64)
+        self.write("pole.obj", pole)
+        picture = self.picture(
+            "pole.obj", "--camera", "0,20,0,0,0,0,0,0,-1", "--parallel-scale", 2.25, "--shadows",
+            "off", "--up", "y", "--background", "white").mean(axis=-1)  # fmt: skip
+        right, down = numpy.meshgrid(
+            (numpy.arange(240) - 119.5) / 40, (numpy.arange(180) - 89.5) / 40)  # fmt: skip
+        away = numpy.hypot(right, down)
+        rings = [picture[abs(away - radius) < 0.02] for radius in numpy.arange(0.6, 2.2, 0.1)]
+        self.assertLess(rings[0].mean(), picture[away > 2.2].mean() - 8)
+        self.assertLess(max(ring.std() for ring in rings), 1.2)
+
     def test_ground_over_a_gradient(self):
         """Far from the model the ground has the background's colour behind it: it has no edge."""
         self.sphere("ball.obj")
@@ -297,20 +314,24 @@ class Studio(CliTest):
         away = numpy.hypot(right, down)
         place = (away > 2.1) & (away < 3.9)  # farther out it fades, from 1.2 times the box's radius
         # The sky that a ball hides from the ground that it stands on: r^3 / d^3, by its solid
-        # angle's form factor (M. Modest, Radiative Heat Transfer, 2013, configuration 11). Half of
-        # the ground's brightness is the sky's.
+        # angle's form factor (M. Modest, Radiative Heat Transfer, 2013, configuration 11).
         far = numpy.sqrt(away**2 + 4)
         sky = 1.0 - (2 / far) ** 3
-        contact = (0.5 + 0.5 * sky)[..., None]
+
+        def darkened(share, direct):
+            """The displayed share where a part of the sky is hidden: in linear light, that part of
+            all light but the casting lights' is missing."""
+            return (share**2.2 - (1 - sky) * (share**2.2 - direct**2.2)) ** (1 / 2.2)
 
         def picture(*words):
             return self.picture(
                 "ball.obj", "--camera", "0,20,0,0,0,0,0,0,-1", "--parallel-scale", 4.5, *words,
                 "--preset", "studio", "--background", "#ccd1d9", size=SMALL)  # fmt: skip
 
-        def compare(share, *words, where=place, step=6.0):
-            """The share of the light: 0.6 of it can be blocked, and the rest is in shadows, too."""
-            expected = paint * contact * (0.4 + 0.6 * share[..., None])
+        def compare(share, *words, others=0.0, where=place, step=6.0):
+            """The share of the light: 0.6 of it can be blocked, and the rest is in shadows, too;
+            and the share of lights that cast none."""
+            expected = paint * darkened(0.4 + 0.6 * share, 0.6 * (share - others))[..., None]
             off = abs(picture(*words) - expected).max(axis=-1)
             self.assertLess(off[where].max(), step, words)
 
@@ -323,8 +344,14 @@ class Studio(CliTest):
 
         # A spot at the sky changes nothing, however bright; nor does one from below.
         for intensity in (0.01, 1, 4):
-            compare(numpy.ones_like(away), "--light", f"spot:0,3,0,0,9,0,30,intensity={intensity}")
-        compare(numpy.ones_like(away), "--light", "sun:0.3,-1,0.2")
+            compare(numpy.ones_like(away), "--light",
+                    f"spot:0,3,0,0,9,0,30,intensity={intensity}", others=1.0)
+        compare(numpy.ones_like(away), "--light", "sun:0.3,-1,0.2", others=1.0)
+        # Of the fill lights two are above the ground; rays through the triangles darken it alike.
+        fill = 0.4 * 2 / numpy.sqrt(3) * 0.54
+        for words, step in ([], 6), (["--ambient", "1"], 14):  # rays are noisy
+            compare(numpy.ones_like(away), "--light", "sun:0,1,0", *words,
+                    others=fill / (fill + 0.78), step=step)
         # Two points of which the ball hides one, here and there.
         first, dark, bright = lit((4, 3, 0), 1.0)
         second, other, unhidden = lit((-6, 9, 1), 0.5)
@@ -367,7 +394,7 @@ class Studio(CliTest):
         length = numpy.linalg.norm(to, axis=-1)
         added = numpy.clip(1 - length / 5, 0, None) * to[..., 1] / length
         for words, left, paint_ in (
-            ([], 1.0, paint * contact), (["--ambient", "1"], sky, paint)):  # fmt: skip
+            ([], 1.0, paint * darkened(1.0, 0.5)[..., None]), (["--ambient", "1"], sky, paint)):  # fmt: skip
             lamp = ["--shadows", "off", "--lamps", "lamp.vtk,radius=5,intensity=0.3"]
             found = picture(*lamp, *words)
             expected = linear(paint_) * numpy.clip(left + 0.3 * added, 0, None)[..., None]

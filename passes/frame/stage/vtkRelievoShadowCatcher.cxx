@@ -5,6 +5,9 @@
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProp.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRenderState.h"
@@ -38,6 +41,26 @@ void vtkRelievoShadowCatcher::Make(vtkProp* prop)
 bool vtkRelievoShadowCatcher::Is(vtkProp* prop)
 {
   return prop->GetPropertyKeys() && prop->GetPropertyKeys()->Has(GetKey());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRelievoShadowCatcher::GetColorsName()
+{
+  return "relievoCatcher";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowCatcher::MapColors(vtkPolyDataMapper* mapper)
+{
+  mapper->MapDataArrayToVertexAttribute(
+    GetColorsName(), GetColorsName(), vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowCatcher::HasColors(vtkPolyDataMapper* mapper)
+{
+  vtkPolyData* mesh = mapper->GetInput();
+  return mesh && mesh->GetPointData()->HasArray(GetColorsName());
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 
 #include <vector>
 
+class vtkPolyDataMapper;
 class vtkProp;
 class vtkRelievoFrameContext;
 class vtkRenderer;
@@ -23,6 +24,14 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoShadowCatcher
   // Marks a prop as a shadow catcher, before it is drawn for the first time.
   static void Make(vtkProp* prop);
   static bool Is(vtkProp* prop);
+
+  // The name of an array of points, four floats each: the displayed colour where all light reaches
+  // them, 0 to 1, and the share of the sky that is hidden from them. With shadows a catcher has these
+  // colours, darker by the hidden sky's light, in place of VTK's; its mapper passes them to the
+  // shaders.
+  static const char* GetColorsName();
+  static void MapColors(vtkPolyDataMapper* mapper);
+  static bool HasColors(vtkPolyDataMapper* mapper);
 
   // By which share of its bottom's colour a renderer's background changes up to its top.
   static glm::vec3 GetRise(vtkRenderer* renderer);

@@ -112,13 +112,18 @@ void LeaveHighlights(std::string& fragment)
   }
 }
 
-// Repeats VTK's light code, which is between two marks, with other lights.
-void Repeat(std::string& fragment, const char* section, const std::string& lights)
+// Repeats VTK's light code, which is between two marks, with other lights: at each of these words of
+// the section.
+void Repeat(std::string& fragment, const char* section,
+  const std::vector<std::pair<const char*, std::string>>& words)
 {
   const std::size_t from = fragment.find(Catch) + std::strlen(Catch);
   const std::string light = fragment.substr(from, fragment.find(Caught) - from);
   std::string again = Section(section);
-  FillWord(again, "RELIEVO_LIGHT_OF_VTK", lights + light);
+  for (const auto& [word, lights] : words)
+  {
+    FillWord(again, word, lights + light);
+  }
   FillMark(fragment, Caught, again);
 }
 
@@ -253,6 +258,13 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   const bool catches = vtkRelievoShadowCatcher::Is(actor);
   const bool separates = structure.Direct && !catches && !colors.empty() &&
     !HasUsersFragment(actor->GetShaderProperty());
+  const bool hides = catches && geometry.empty() && vtkRelievoShadowCatcher::HasColors(mapper);
+  if (hides)
+  {
+    FillMark(vertex, VertexDec, Section("HiddenVertexDec"));
+    vertex.insert(vertex.rfind('}'), Section("HiddenVertexImpl"));
+  }
+  dec << (catches ? Section(hides ? "HiddenDec" : "NothingHiddenDec") : std::string());
   dec << (Has(fragment, "vec3 albedo =") ? "#define RELIEVO_SHADOW_LINEAR_LIGHT\n" : "");
   FillMark(fragment, Dec,
     dec.str() + (catches || separates ? Section("DirectDec") : std::string()) +
@@ -272,12 +284,13 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   }
   if (catches)
   {
-    Repeat(fragment, "CaughtImpl", unshadowed);
+    Repeat(fragment, "CaughtImpl",
+      { { "RELIEVO_OTHER_LIGHT_OF_VTK", others }, { "RELIEVO_LIGHT_OF_VTK", unshadowed } });
     FillMark(fragment, Catch, Section("CatchImpl"));
   }
   else if (separates)
   {
-    Repeat(fragment, "OthersImpl", others);
+    Repeat(fragment, "OthersImpl", { { "RELIEVO_LIGHT_OF_VTK", others } });
     FillMark(fragment, Direct, Section("DirectImpl"));
   }
   return std::string();
