@@ -27,6 +27,7 @@ import relievo
 
 TELEPHONE = (390, 844)
 SCREEN = (1280, 900)
+LONGEST = 200_000  # bytes of a page of the reference
 # Words that users search for, and the page that the search lists first.
 FIRST = {"shadow map": "shadows.html", "K matrix": "cameras.html", "depth buffer": "layers.html",
          "tone mapping": "passes/Tone.html", "install": "install.html"}
@@ -75,6 +76,8 @@ def links(site):
         for source in page.wordless:
             if "notebooks" not in name.parts:
                 yield f"{name}: the picture {source} has no words"
+        if name.parts[0] == "api" and path.stat().st_size > LONGEST:
+            yield f"{name} has {path.stat().st_size} bytes, more than {LONGEST}"
     if len(pages) < 20:
         yield f"{site} has {len(pages)} pages"
 

@@ -107,6 +107,11 @@ def lay_class(cls):
     return text
 
 
+# Characters of a module's classes on one page, of which the site's program makes eight times as many.
+# The classes of larger modules have pages of their own.
+LONGEST = 24000
+
+
 def modules():
     """Wrapped classes by their module, without the package's and the module's prefix."""
     found = {}
@@ -128,8 +133,15 @@ def lay(dest):
     names = []
     for module, classes in sorted(modules().items()):
         text = heading(module, "=") + f"Classes of the module ``Relievo::{module}``.\n\n"
-        for cls in classes:
-            text += heading(cls.__name__, "-") + lay_class(cls)
+        laid = {cls.__name__: lay_class(cls) for cls in classes}
+        if sum(map(len, laid.values())) > LONGEST:
+            (dest / module).mkdir()
+            for name, words in laid.items():
+                (dest / module / f"{name}.rst").write_text(heading(name, "=") + words)
+            listed = "".join(f"   {module}/{name}\n" for name in laid)
+            text += f".. toctree::\n   :maxdepth: 1\n\n{listed}"
+        else:
+            text += "".join(heading(name, "-") + words for name, words in laid.items())
         (dest / f"{module}.rst").write_text(text)
         names.append(module)
     listed = "".join(f"   {name}\n" for name in ["functions", *names])
