@@ -6,6 +6,7 @@
 #include "vtkRelievoDisplayStage.h"
 #include "vtkRelievoLayer.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLayerLegend.h"
 
 #include <QColor>
 #include <QStringList>
@@ -80,29 +81,9 @@ bool IsOfVolume(const std::string& layer)
 //------------------------------------------------------------------------------
 QString NameLayer(const std::string& layer, const LightNames& lights)
 {
-  using Catalogue = vtkRelievoLayerCatalogue;
-  QString words = QString::fromStdString(layer);
-  const bool ofLight = Catalogue::GetIsOfLight(layer);
-  if (!ofLight && !Catalogue::GetIsLayer(layer))
-  {
-    return words; // an array, under its own name
-  }
-  words.replace('_', ' ');
-  if (layer == "range") // a range of values is another thing
-  {
-    return "Distance";
-  }
-  if (const auto named = lights.find(layer); ofLight && named != lights.end())
-  {
-    return "Shadow of " + QString::fromStdString(named->second);
-  }
-  if (ofLight)
-  {
-    const QString name = words.mid(static_cast<int>(Catalogue::GetOfLight().Name.size()));
-    return (Catalogue::GetLight(layer) < 0 ? "Shadow of " : "Shadow of light ") + name;
-  }
-  words.replace("color", "colour");
-  return words.left(1).toUpper() + words.mid(1);
+  const auto named = lights.find(layer);
+  return named != lights.end() ? "Shadow of " + QString::fromStdString(named->second)
+                               : QString::fromStdString(vtkRelievoLayerLegend::NameLayer(layer));
 }
 
 //------------------------------------------------------------------------------

@@ -154,7 +154,7 @@ bool vtkRelievoRayScene::Internals::Refuse(const std::string& lack)
       counted.insert(placed.Mesh).second ? vtkRelievoPolygonCut::CountTriangles(placed.Mesh) : 0;
   }
   this->Fault = "no tree for rays at " + std::to_string(triangles) + " triangles: " + lack +
-    ". Expected a coarser mesh, or more memory; a part of the work (--part) needs the whole tree";
+    ". Expected a coarser mesh, or more memory; each part of divided work needs the whole tree";
   this->Meshes.clear();
   this->Sources.clear();
   this->Tree = vtkRelievoRayTree();

@@ -53,6 +53,19 @@ class Catalogue(unittest.TestCase):
             self.assertEqual(catalogue.GetLight(name), light, name)
             self.assertEqual(catalogue.GetIsLayer(name), light >= 0 or name == "depth", name)
 
+    def test_legends(self):
+        """Titles are plain words; arrays keep their names."""
+        for layer, title in (("depth", "Depth"), ("range", "Distance"),
+                             ("light_depth", "Light depth"), ("shadow_0", "Shadow of light 0"),
+                             ("shadow_key_light", "Shadow of key light"),
+                             ("wall_shear", "wall_shear")):  # fmt: skip
+            stage = relievo.vtkRelievoDisplayStage()
+            stage.SetLayer(layer)
+            stage.SetRange(0, 1)
+            legend = relievo.vtkRelievoLayerLegend()
+            self.assertTrue(legend.Follow(stage, False), layer)
+            self.assertEqual(legend.GetTitle(), title)
+
     def test_captured(self):
         """A sphere that leaves the corners to the background."""
         renderer = vtkRenderer()
