@@ -70,6 +70,23 @@ void AddOthers(const vtkRelievoMeshExchange& others, std::vector<vtkRelievoSurfa
   }
 }
 
+// Maps are merged without the casters of other processes: these are exchanged for the rays alone.
+std::string ExchangeCasters(vtkRelievoMeshExchange& others,
+  const std::vector<vtkRelievoSurface>& surfaces, const std::vector<vtkRelievoBox>& unfollowed)
+{
+  vtkRelievoMeshPart part;
+  for (const vtkRelievoSurface& surface : surfaces)
+  {
+    if (surface.Casts)
+    {
+      part.Meshes.push_back(surface.Caster);
+    }
+  }
+  part.InMaps = unfollowed;
+  const std::string fault = others.Share(part, false);
+  return fault.empty() ? others.Confirm(fault) : fault;
+}
+
 // Draws the layers with the renderer alone, into a framebuffer of the frame; returns an error, or
 // "".
 std::string DrawLayers(vtkRenderer* renderer, vtkRelievoFramePass* frame,
@@ -172,11 +189,21 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
   // Maps treat translucent casters as opaque.
   std::vector<vtkRelievoSurface> surfaces =
     picture.Work.Props.CollectSurfaces(certifier.Attenuates, certifier.Unfollowed);
-  if (certifier.Attenuates && picture.Work.Others.IsOn())
+  vtkRelievoMeshExchange exchanged = picture.Work.Others;
+  if (exchanged.IsOn())
   {
-    AddOthers(picture.Work.Others, surfaces);
-    const std::vector<vtkRelievoBox>& others = picture.Work.Others.GetWhole().InMaps;
-    certifier.Unfollowed.insert(certifier.Unfollowed.end(), others.begin(), others.end());
+    if (!certifier.Attenuates) // else all processes have exchanged their casters
+    {
+      exchanged.Clear();
+      fault = ExchangeCasters(exchanged, surfaces, certifier.Unfollowed);
+    }
+    if (!fault.empty())
+    {
+      return nullptr;
+    }
+    AddOthers(exchanged, surfaces);
+    const std::vector<vtkRelievoBox>& boxes = exchanged.GetWhole().InMaps;
+    certifier.Unfollowed.insert(certifier.Unfollowed.end(), boxes.begin(), boxes.end());
   }
   // Rays do not reach the values of other processes' volumes, whose shade begins beside them.
   const std::vector<glm::dvec3>& corners = picture.Work.Shade.GetOthers();
