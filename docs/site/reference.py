@@ -107,8 +107,8 @@ def lay_class(cls):
     return text
 
 
-# Characters of a module's classes on one page, of which the site's program makes eight times as many.
-# The classes of larger modules have pages of their own.
+# Characters of a module's classes on one page, of which Sphinx makes eight times as many. The
+# classes of larger modules have pages of their own.
 LONGEST = 24000
 
 

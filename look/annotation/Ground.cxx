@@ -56,7 +56,7 @@ double GetRadius(int ring)
 // pictures without shadows: about that of a preset's first light, whose strength is unknown here.
 constexpr double PlainDirect = 0.5;
 
-// The displayed share of the light where this share of the sky is hidden, which is one of linear light.
+// The displayed share of the light where this share of the sky, of linear light, is hidden.
 double GetPlainContact(double hidden)
 {
   return std::pow(1.0 - hidden * (1.0 - std::pow(PlainDirect, 2.2)), 1.0 / 2.2);
@@ -67,8 +67,8 @@ unsigned char MakeByte(double value)
   return static_cast<unsigned char>(std::lround(255.0 * value));
 }
 
-// Neighbours look in other directions, by these shares of the angle between two: means of neighbours,
-// in which all four shares have the same weight, know four times as many.
+// Neighbours look in other directions, turned by these shares of the angle between two. Means of
+// neighbours, in which all four shares have the same weight, know four times as many directions.
 double GetTurn(int ring, int sector)
 {
   return 0.5 * (ring % 2) + 0.25 * ((ring + sector) % 2);

@@ -25,8 +25,8 @@ public:
   /// the ground's coordinate on it.
   GroundSky(vtkRenderer* renderer, const double bounds[6], int upAxis, double height);
 
-  /// The share of a uniform sky's light that does not reach this point of the ground, 0 to 1. `turn`:
-  /// by which share of the angle between two directions all are turned, 0 to 1.
+  /// The share of a uniform sky's light that does not reach this point of the ground, 0 to 1.
+  /// `turn`: by which share of the angle between two directions all are turned, 0 to 1.
   double GetHidden(const std::array<double, 3>& point, double turn) const;
 
 private:

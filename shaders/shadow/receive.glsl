@@ -12,9 +12,9 @@
 // normalVCVSOutput is exact), RELIEVO_SHADOW_LINEAR_LIGHT (of PBR surfaces). Names shared with
 // other splices: splice/contract.glsl.
 //
-// On shadow catchers VTK's light code appears three times, before the section CaughtImpl and twice in
-// it: with shadows, without casting lights, and without shadows. All light a white surface; the
-// catcher's colour is VTK's ambientColor.
+// On shadow catchers VTK's light code appears three times, before the section CaughtImpl and twice
+// in it: with shadows, without casting lights, and without shadows. All light a white surface; the
+// catcher's colour is VTK's ambientColor, or that of its array.
 //
 // The section MethodDec of the method's own file is inserted between the sections FragmentDec and
 // MapsDec. It declares the method's uniforms and defines
@@ -66,17 +66,17 @@ float relievoVisibilityOf(int number)
   return slot < 0 ? 1.0 : relievoVisibility[slot];
 }
 
-// A catcher's array: the displayed colour of each point where all light reaches it, and the share of
-// the sky that is hidden from it. Other catchers have VTK's colour.
-//RELIEVO::Section(HiddenVertexDec)
+// A catcher's array: the displayed colour of each point where all light reaches it, and the share
+// of the sky that is hidden from it. Other catchers have VTK's colour.
+//RELIEVO::Section(CatcherVertexDec)
 in vec4 relievoCatcher;
 out vec4 relievoCatcherVSOutput;
-//RELIEVO::Section(HiddenVertexImpl)
+//RELIEVO::Section(CatcherVertexImpl)
   relievoCatcherVSOutput = relievoCatcher;
-//RELIEVO::Section(HiddenDec)
+//RELIEVO::Section(CatcherDec)
 in vec4 relievoCatcherVSOutput;
 #define RELIEVO_CATCHER relievoCatcherVSOutput
-//RELIEVO::Section(NothingHiddenDec)
+//RELIEVO::Section(PlainCatcherDec)
 #define RELIEVO_CATCHER vec4(ambientColor, 0.0)
 
 // Left out where highlights have no strength: their powers are a tenth of the shader's work.

@@ -393,8 +393,8 @@ class Studio(CliTest):
         to = numpy.array([-3, 0, 0]) - ground
         length = numpy.linalg.norm(to, axis=-1)
         added = numpy.clip(1 - length / 5, 0, None) * to[..., 1] / length
-        for words, left, paint_ in (
-            ([], 1.0, paint * darkened(1.0, 0.5)[..., None]), (["--ambient", "1"], sky, paint)):  # fmt: skip
+        plain = paint * darkened(1.0, 0.5)[..., None]
+        for words, left, paint_ in ([], 1.0, plain), (["--ambient", "1"], sky, paint):
             lamp = ["--shadows", "off", "--lamps", "lamp.vtk,radius=5,intensity=0.3"]
             found = picture(*lamp, *words)
             expected = linear(paint_) * numpy.clip(left + 0.3 * added, 0, None)[..., None]

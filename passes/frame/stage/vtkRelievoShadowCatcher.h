@@ -26,9 +26,9 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoShadowCatcher
   static bool Is(vtkProp* prop);
 
   // The name of an array of points, four floats each: the displayed colour where all light reaches
-  // them, 0 to 1, and the share of the sky that is hidden from them. With shadows a catcher has these
-  // colours, darker by the hidden sky's light, in place of VTK's; its mapper passes them to the
-  // shaders.
+  // them, 0 to 1, and the share of the sky that is hidden from them. With shadows a catcher has
+  // these colours, darker by the hidden sky's light, in place of VTK's; its mapper passes them to
+  // the shaders.
   static const char* GetColorsName();
   static void MapColors(vtkPolyDataMapper* mapper);
   static bool HasColors(vtkPolyDataMapper* mapper);

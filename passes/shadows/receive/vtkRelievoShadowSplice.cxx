@@ -112,8 +112,8 @@ void LeaveHighlights(std::string& fragment)
   }
 }
 
-// Repeats VTK's light code, which is between two marks, with other lights: at each of these words of
-// the section.
+// Repeats VTK's light code, which is between two marks, with other lights: at each of these words
+// of the section.
 void Repeat(std::string& fragment, const char* section,
   const std::vector<std::pair<const char*, std::string>>& words)
 {
@@ -258,13 +258,13 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   const bool catches = vtkRelievoShadowCatcher::Is(actor);
   const bool separates = structure.Direct && !catches && !colors.empty() &&
     !HasUsersFragment(actor->GetShaderProperty());
-  const bool hides = catches && geometry.empty() && vtkRelievoShadowCatcher::HasColors(mapper);
-  if (hides)
+  const bool colored = catches && geometry.empty() && vtkRelievoShadowCatcher::HasColors(mapper);
+  if (colored)
   {
-    FillMark(vertex, VertexDec, Section("HiddenVertexDec"));
-    vertex.insert(vertex.rfind('}'), Section("HiddenVertexImpl"));
+    FillMark(vertex, VertexDec, Section("CatcherVertexDec"));
+    vertex.insert(vertex.rfind('}'), Section("CatcherVertexImpl"));
   }
-  dec << (catches ? Section(hides ? "HiddenDec" : "NothingHiddenDec") : std::string());
+  dec << (catches ? Section(colored ? "CatcherDec" : "PlainCatcherDec") : std::string());
   dec << (Has(fragment, "vec3 albedo =") ? "#define RELIEVO_SHADOW_LINEAR_LIGHT\n" : "");
   FillMark(fragment, Dec,
     dec.str() + (catches || separates ? Section("DirectDec") : std::string()) +
