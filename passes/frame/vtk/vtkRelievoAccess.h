@@ -227,6 +227,14 @@ public:
     state.Append(actor->GetTexture() ? actor->GetTexture()->GetMTime() : 0, "texture mtime");
     return !(mapper->*(&Mapper::VBOBuildState) != state);
   }
+  // Fills the buffers as drawing does, without drawing. The mapper's input must be up to date, and
+  // drawing must follow: it has the window release the buffers.
+  static void Build(vtkOpenGLPolyDataMapper* mapper, vtkRenderer* ren, vtkActor* actor)
+  {
+    mapper->CurrentInput = mapper->GetInput();
+    (mapper->*(&Mapper::UpdateCameraShiftScale))(ren, actor);
+    (mapper->*(&Mapper::UpdateBufferObjects))(ren, actor);
+  }
   // Transform of the coordinates in the buffer, transposed.
   static vtkMatrix4x4* ShiftScale(vtkOpenGLPolyDataMapper* mapper)
   {

@@ -17,6 +17,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoCutSurface.h"
+#include "vtkRelievoDepthRaster.h"
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoPlainActor.h"
 #include "vtkRelievoScopedContext.h"
@@ -98,6 +99,37 @@ std::vector<vtkOpenGLPolyDataMapper*> GetHelpers(
   return found;
 }
 #endif
+
+// A buffer of OpenGL's to read in place: software OpenGL does not copy it.
+class MappedBuffer
+{
+public:
+  MappedBuffer(vtkOpenGLBufferObject* buffer, std::size_t bytes)
+    : Handle(static_cast<GLuint>(buffer->GetHandle()))
+  {
+    glBindBuffer(GL_COPY_READ_BUFFER, this->Handle);
+    this->Data =
+      glMapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT);
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+  }
+  ~MappedBuffer()
+  {
+    if (this->Data)
+    {
+      glBindBuffer(GL_COPY_READ_BUFFER, this->Handle);
+      glUnmapBuffer(GL_COPY_READ_BUFFER);
+      glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    }
+  }
+  MappedBuffer(const MappedBuffer&) = delete;
+  MappedBuffer& operator=(const MappedBuffer&) = delete;
+
+  const void* Get() const { return this->Data; }
+
+private:
+  GLuint Handle;
+  void* Data;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -150,25 +182,32 @@ vtkMTimeType vtkRelievoCasterDraw::GetBuildTime(vtkActor* actor) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor* actor) const
+bool vtkRelievoCasterDraw::DrawsOnlyFaces(vtkActor* actor)
 {
   // Exactly these classes of actors and mappers: derived ones may draw differently.
   vtkMapper* mapper = actor->GetMapper();
   if (!mapper || !vtkRelievoPlainActor::IsOfClass(actor))
   {
-    return {};
+    return false;
   }
   vtkProperty* property = actor->GetProperty();
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-  if (property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility() ||
-    property->GetEdgeVisibility() || actor->GetTexture() ||
-    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_SHIFT_ZBUFFER ||
-    property->GetNumberOfTextures() > 0 || vtkRelievoPlainActor::HasOwnShaders(actor) ||
-    vtkRelievoCutSurface::GetCutoff(actor->GetPropertyKeys()) > 0.0 ||
-    (planes && planes->GetNumberOfItems() > 0))
+  return property->GetRepresentation() == VTK_SURFACE && !property->GetVertexVisibility() &&
+    !property->GetEdgeVisibility() && !actor->GetTexture() &&
+    vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_SHIFT_ZBUFFER &&
+    property->GetNumberOfTextures() == 0 && !vtkRelievoPlainActor::HasOwnShaders(actor) &&
+    !(vtkRelievoCutSurface::GetCutoff(actor->GetPropertyKeys()) > 0.0) &&
+    !(planes && planes->GetNumberOfItems() > 0);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor* actor) const
+{
+  if (!DrawsOnlyFaces(actor))
   {
     return {};
   }
+  vtkMapper* mapper = actor->GetMapper();
   std::vector<vtkOpenGLPolyDataMapper*> mappers;
   if (std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0)
   {
@@ -278,14 +317,19 @@ int vtkRelievoCasterDraw::Draw(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
+glm::dmat4 vtkRelievoCasterDraw::GetBufferToWorld(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  const glm::dmat4 modelToWorld = vtkRelievoToGlm(actor->GetMatrix());
+  return Access::Buffers(mapper)->GetVBO("vertexMC")->GetCoordShiftAndScaleEnabled()
+    ? modelToWorld * glm::transpose(vtkRelievoToGlm(Access::ShiftScale(mapper)))
+    : modelToWorld;
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoCasterDraw::Draw(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 {
   vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
-  glm::dmat4 modelToWorld = vtkRelievoToGlm(actor->GetMatrix());
-  if (vertices->GetCoordShiftAndScaleEnabled())
-  {
-    modelToWorld = modelToWorld * glm::transpose(vtkRelievoToGlm(Access::ShiftScale(mapper)));
-  }
+  const glm::dmat4 modelToWorld = GetBufferToWorld(mapper, actor);
   const glm::mat4 matrix(this->WorldToNDC * modelToWorld);
   this->Program->SetUniformMatrix4x4("MCDCMatrix", const_cast<float*>(&matrix[0][0]));
   if (this->Program->IsUniformUsed("MCVCMatrix"))
@@ -323,6 +367,60 @@ int vtkRelievoCasterDraw::Draw(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 void vtkRelievoCasterDraw::End()
 {
   glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterDraw::Build(vtkProp* prop, vtkRenderer* renderer)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!actor || !DrawsOnlyFaces(actor) ||
+    std::strcmp(actor->GetMapper()->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
+  {
+    return;
+  }
+  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
+  vtkPolyData* input = mapper->GetInput();
+  const bool faces = input && input->GetNumberOfPoints() > 0 && input->GetNumberOfVerts() == 0 &&
+    input->GetNumberOfLines() == 0;
+  if (faces && mapper->GetNumberOfSubPieces() == 1 && this->GetBuffers(actor).empty())
+  {
+    Access::Build(mapper, renderer, actor);
+    this->Learn(mapper);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::Rasterize(vtkActor* actor, const glm::dmat4& worldToNDC,
+  const int region[4], bool clamps, vtkRelievoDepthRaster& raster) const
+{
+  for (vtkOpenGLPolyDataMapper* mapper : this->GetBuffers(actor))
+  {
+    vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
+    const auto stride = static_cast<std::size_t>(vertices->GetStride());
+    const MappedBuffer places(vertices,
+      stride * static_cast<std::size_t>(Access::Buffers(mapper)->GetNumberOfTuples("vertexMC")));
+    for (const int type :
+      { vtkOpenGLPolyDataMapper::PrimitiveTris, vtkOpenGLPolyDataMapper::PrimitiveTriStrips })
+    {
+      const auto count = static_cast<std::size_t>(Access::IndexCount(mapper, type));
+      if (count == 0)
+      {
+        continue;
+      }
+      const MappedBuffer corners(Access::Indices(mapper, type), count * sizeof(unsigned int));
+      if (!places.Get() || !corners.Get())
+      {
+        return false;
+      }
+      vtkRelievoDepthRaster::Mesh mesh;
+      mesh.Places = static_cast<const float*>(places.Get());
+      mesh.Step = stride / sizeof(float);
+      mesh.Corners = static_cast<const unsigned int*>(corners.Get());
+      mesh.Triangles = count / 3;
+      raster.Draw(mesh, worldToNDC * GetBufferToWorld(mapper, actor), region, clamps);
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,8 @@ class vtkActor;
 class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
 class vtkProp;
+class vtkRelievoDepthRaster;
+class vtkRenderer;
 class vtkShaderProgram;
 class vtkWindow;
 
@@ -61,12 +63,22 @@ public:
   int Draw(vtkActor* actor); // returns draw calls
   void End();
 
+  // Fills the buffers of a plain mesh that the frame has yet to draw.
+  void Build(vtkProp* prop, vtkRenderer* renderer);
+
+  // Draws by the processor, from the buffers, into a part of the map (vtkRelievoDepthRaster), not
+  // between Begin and End. False if OpenGL does not hand out the buffers.
+  bool Rasterize(vtkActor* actor, const glm::dmat4& worldToNDC, const int region[4], bool clamps,
+    vtkRelievoDepthRaster& raster) const;
+
   void Release(vtkWindow* window);
 
 private:
   // The mappers whose buffers contain all of the actor's geometry; none if it draws anything else.
   std::vector<vtkOpenGLPolyDataMapper*> GetBuffers(vtkActor* actor) const;
   bool IsBuilt(vtkOpenGLPolyDataMapper* mapper) const;
+  static bool DrawsOnlyFaces(vtkActor* actor); // as its property and its mapper's settings are
+  static glm::dmat4 GetBufferToWorld(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
   int Draw(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

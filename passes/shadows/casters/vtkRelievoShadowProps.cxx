@@ -436,6 +436,35 @@ void vtkRelievoShadowProps::Render(vtkProp* prop, bool translucent, vtkRenderer*
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoShadowProps::RasterizeCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
+  const int region[4], vtkRelievoCasterDraw& plainDraw, bool withoutFollowed,
+  vtkRelievoDepthRaster& raster)
+{
+  int drawn = 0;
+  for (std::size_t i = 0; i < this->Casters.size(); ++i)
+  {
+    const Caster& caster = this->Casters[i];
+    if (!this->IsInMaps(caster, withoutFollowed) || !view.Sees(this->CasterBoxes[i]))
+    {
+      continue;
+    }
+    vtkActor* actor = plainDraw.GetPlainActor(caster.Prop);
+    if (!actor && std::find(this->Seen.begin(), this->Seen.end(), caster.Prop) != this->Seen.end())
+    {
+      plainDraw.Build(caster.Prop, renderer);
+      actor = plainDraw.GetPlainActor(caster.Prop);
+    }
+    if (actor &&
+      plainDraw.Rasterize(actor, view.ViewToNDC * view.WorldToView, region, view.Clamps(), raster))
+    {
+      this->Rastered.insert(caster.Prop);
+      ++drawn;
+    }
+  }
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
   vtkRelievoCasterDraw& plainDraw, bool withoutFollowed)
 {
@@ -443,7 +472,8 @@ int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievo
   for (std::size_t i = 0; i < this->Casters.size(); ++i)
   {
     const Caster& caster = this->Casters[i];
-    if (!this->IsInMaps(caster, withoutFollowed) || !view.Sees(this->CasterBoxes[i]))
+    if (!this->IsInMaps(caster, withoutFollowed) || !view.Sees(this->CasterBoxes[i]) ||
+      this->Rastered.count(caster.Prop) > 0)
     {
       continue;
     }

@@ -23,6 +23,7 @@ class vtkMatrix4x4;
 class vtkOpenGLRenderPass;
 class vtkProp;
 class vtkRelievoCasterDraw;
+class vtkRelievoDepthRaster;
 class vtkRenderer;
 class vtkVolume;
 struct vtkRelievoPlacedMesh;
@@ -96,8 +97,16 @@ public:
   void AddPass(vtkOpenGLRenderPass* pass);
   void RemovePass(vtkOpenGLRenderPass* pass);
 
+  // Draws the plain meshes among the casters by the processor, in place of RenderCasters. Call
+  // BeginRaster before the first view of a map. Returns the number of meshes, which count as draw
+  // calls.
+  void BeginRaster() { this->Rastered.clear(); }
+  int RasterizeCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view, const int region[4],
+    vtkRelievoCasterDraw& plainDraw, bool withoutFollowed, vtkRelievoDepthRaster& raster);
+
   // Draws the depth of casters in the view, or of those left by Follow: plain meshes from their
-  // buffers, other props by themselves. Returns the draw calls for plain meshes.
+  // buffers, other props by themselves, except those drawn by RasterizeCasters. Returns the draw
+  // calls for plain meshes.
   int RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
     vtkRelievoCasterDraw& plainDraw, bool withoutFollowed);
 
@@ -156,6 +165,7 @@ private:
   std::vector<Caster> Casters;
   std::vector<vtkRelievoBox> CasterBoxes; // one per entry of Casters
   std::set<vtkProp*> Followed;            // of Casters
+  std::set<vtkProp*> Rastered;            // of Casters, in the map that is being drawn
   vtkIdType TooManyTriangles = 0;         // of a mesh left for its triangles
   std::vector<vtkRelievoBox> ReceiverBoxes;
   std::vector<vtkRelievoBox> AllBoxes; // of receivers, whether chosen or not

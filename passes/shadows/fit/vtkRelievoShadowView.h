@@ -49,6 +49,9 @@ struct vtkRelievoShadowView
   // height in texels.
   vtkRelievoShadowView GetPiece(int u, int v, int size, int region[4]) const;
 
+  // Whether casters in front of the near plane cast from it.
+  bool Clamps() const { return this->NearCut || !this->Parallel; }
+
   // Whether a caster in the box may reach the map.
   bool Sees(const vtkRelievoBox& box) const;
 };

@@ -151,7 +151,7 @@ void vtkRelievoShadowMaps::Begin()
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
-  const std::function<void(const vtkRelievoShadowView&)>& casters)
+  const CastersInMemory& inMemory, const std::function<void(const vtkRelievoShadowView&)>& casters)
 {
   if (!this->Camera)
   {
@@ -161,12 +161,8 @@ void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglViewport(0, 0, this->Size, this->Size);
   state->vtkglScissor(0, 0, this->Size, this->Size);
-  glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Texture, 0, layer);
-  const GLfloat farthest = 1.0f;
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
-  // Casters in front of the near plane cast from it. Clamping fragments instead is slower in
-  // software OpenGL.
-  view.NearCut || !view.Parallel ? glEnable(GL_DEPTH_CLAMP) : glDisable(GL_DEPTH_CLAMP);
+  // Clamping fragments is slower in software OpenGL.
+  view.Clamps() ? glEnable(GL_DEPTH_CLAMP) : glDisable(GL_DEPTH_CLAMP);
 
   // Far enough for the direction to keep its digits.
   const double reach =
@@ -177,15 +173,38 @@ void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
   this->Camera->SetFocalPoint(focus.x, focus.y, focus.z);
   this->Camera->SetViewUp(view.Up.x, view.Up.y, view.Up.z);
   view.WorldToView = vtkRelievoToGlm(this->Camera->GetModelViewTransformMatrix());
-  for (int u = 0; u < view.U.Pieces; ++u)
-  {
-    for (int v = 0; v < view.V.Pieces; ++v)
+  auto forPieces = [&](auto&& work) {
+    for (int u = 0; u < view.U.Pieces; ++u)
     {
-      int region[4];
-      const vtkRelievoShadowView piece = view.GetPiece(u, v, this->Size, region);
-      this->DrawPiece(piece, region, renderer, casters);
+      for (int v = 0; v < view.V.Pieces; ++v)
+      {
+        int region[4];
+        const vtkRelievoShadowView piece = view.GetPiece(u, v, this->Size, region);
+        work(piece, region);
+      }
     }
+  };
+  bool drawn = false;
+  if (inMemory)
+  {
+    this->Raster.Clear(this->Size);
+    forPieces([&](const vtkRelievoShadowView& piece, const int region[4]) {
+      drawn = inMemory(piece, region, this->Raster);
+    });
   }
+  glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Texture, 0, layer);
+  if (drawn)
+  {
+    this->Write(layer, this->Raster.GetDepths());
+  }
+  else
+  {
+    const GLfloat farthest = 1.0f;
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+  }
+  forPieces([&](const vtkRelievoShadowView& piece, const int region[4]) {
+    this->DrawPiece(piece, region, renderer, casters);
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -238,6 +257,7 @@ void vtkRelievoShadowMaps::End()
 {
   glDisable(GL_DEPTH_CLAMP);
   glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, 0, 0, 0);
+  this->Raster = vtkRelievoDepthRaster();
   this->Kept.reset();
 }
 

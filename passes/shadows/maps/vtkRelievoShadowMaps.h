@@ -7,6 +7,7 @@
 #define vtkRelievoShadowMaps_h
 
 #include "vtkNew.h"
+#include "vtkRelievoDepthRaster.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoShadowFit.h"
 #include "vtkSmartPointer.h"
@@ -57,7 +58,12 @@ public:
   // of an uneven map, between Begin and End, which save and restore OpenGL's state. Sets the view's
   // matrices to exactly those used for drawing.
   void Begin();
+  // `inMemory`, if given, is called first, also for each piece: it draws casters by the processor
+  // into a part of the map (x, y, width, height), and returns whether the map has any.
+  using CastersInMemory =
+    std::function<bool(const vtkRelievoShadowView&, const int[4], vtkRelievoDepthRaster&)>;
   void Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
+    const CastersInMemory& inMemory,
     const std::function<void(const vtkRelievoShadowView&)>& casters);
   void End();
 
@@ -87,6 +93,7 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkRelievoScopedState> Kept; // between Begin and End
+  vtkRelievoDepthRaster Raster;                // between Begin and End
   vtkSmartPointer<vtkCamera> Camera;
   unsigned int Texture = 0;
   unsigned int Empty = 0;

@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowFitter.h"
+#include "vtkRelievoSoftwareOpenGL.h"
 #include "vtkRelievoTiles.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -81,6 +82,16 @@ int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowContext& work, vtkRenderer* r
 {
   int draws = 0;
   work.MapsDrawn = 0;
+  // Software OpenGL is not faster for any number of triangles and any size of maps: with twelve
+  // triangles in maps of 1024 to 8192, both take the same time.
+  const bool software = vtkRelievoIsSoftwareOpenGL();
+  int inMap = 0;
+  auto inMemory = [&](const vtkRelievoShadowView& view, const int region[4],
+                    vtkRelievoDepthRaster& raster) {
+    inMap += work.Props.RasterizeCasters(
+      renderer, view, region, work.PlainDraw, work.WithoutFollowed, raster);
+    return inMap > 0;
+  };
   for (auto& entry : work.Cache.GetEntries())
   {
     for (auto& map : entry.Maps)
@@ -95,9 +106,14 @@ int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowContext& work, vtkRenderer* r
         work.Maps.Bind(false);
         work.Maps.Begin();
       }
-      work.Maps.Draw(map.Layer, map.View, renderer, [&](const vtkRelievoShadowView& view) {
-        draws += work.Props.RenderCasters(renderer, view, work.PlainDraw, work.WithoutFollowed);
-      });
+      inMap = 0;
+      work.Props.BeginRaster();
+      work.Maps.Draw(map.Layer, map.View, renderer,
+        software ? inMemory : vtkRelievoShadowMaps::CastersInMemory(),
+        [&](const vtkRelievoShadowView& view) {
+          draws += work.Props.RenderCasters(renderer, view, work.PlainDraw, work.WithoutFollowed);
+        });
+      draws += inMap;
       if (this->Exchange.IsOn())
       {
         this->Exchange.Merge(work.Maps, map.Layer);
