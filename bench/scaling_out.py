@@ -16,7 +16,8 @@ Needs the package relievo in PYTHONPATH, numpy, and a display (tools/with-displa
   capture_many(), drawn, or by rays with a Pinhole; per view. `other cells` is the share of pixels
   with a cell that differs from the drawn one.
 - data set: a view of 640 x 480 pixels in the format coco, of 20 objects that stand apart or cover
-  each other, and of the same meshes as one object, whose full mask takes one draw.
+  each other, and of the same meshes as one object, whose full mask takes one draw. Data sets of the
+  format npz of a sphere, from 64 x 64 to 640 x 480 pixels.
 - cover: ten of so many candidates over a plane with 60 blocks.
 
 Processor seconds of all threads, the least of the rounds (3). --small measures small scenes, in
@@ -140,7 +141,8 @@ def parts(write, triangles, rounds):
         write("part", "model", len(cells), number, taken, "", "", "")
 
 
-def views(write, triangles, number, rounds):
+def ball(triangles):
+    """A renderer with a sphere, and its number of triangles."""
     sphere = vtkSphereSource()
     side = round((triangles / 2) ** 0.5)
     sphere.SetThetaResolution(side)
@@ -151,6 +153,11 @@ def views(write, triangles, number, rounds):
     actor.SetMapper(mapper)
     renderer = vtkRenderer()
     renderer.AddActor(actor)
+    return renderer, 2 * side * side
+
+
+def views(write, triangles, number, rounds):
+    renderer, triangles = ball(triangles)
     lots = numpy.random.default_rng(3)
     size = (64, 64)
     cameras, sensors = [], []
@@ -193,7 +200,7 @@ def views(write, triangles, number, rounds):
         for method, (call, count) in calls.items():
             taken[method] = min(taken[method], seconds(call, 1) / count)
     for method in calls:
-        write("view", method, 2 * side * side, number, taken[method], "", "",
+        write("view", method, triangles, number, taken[method], "", "",
               f"{other_cells():.2g}" if method == "capture_many, rays" else "")  # fmt: skip
 
 
@@ -242,6 +249,20 @@ def sets(write, views, rounds):
         write("data set", method, triangles, views, seconds(make, rounds) / views, "", "", "")
 
 
+def sizes(write, triangles, small):
+    renderer, triangles = ball(triangles)
+    for columns, rows, views in ((64, 64, 128), (128, 128, 64), (320, 240, 24), (640, 480, 8)):
+        views = 4 if small else views
+
+        def make(size=(columns, rows), views=views):
+            with tempfile.TemporaryDirectory() as out:
+                relievo.write_dataset(renderer, f"orbit:{views}", out, "npz", size=size)
+
+        make()  # compiles shaders
+        write("data set", f"sphere, {columns} x {rows}", triangles, views,
+              seconds(make, 2) / views, "", "", "")  # fmt: skip
+
+
 def covers(write, triangles, number, rounds):
     side = int((triangles / 2) ** 0.5)
     plane = vtkPlaneSource()
@@ -283,6 +304,8 @@ def main():
         number = 1000 if triangles == 1_000 else 100
         views(write, triangles, 20 if given.small else number, given.rounds)
     sets(write, 2 if given.small else 6, given.rounds)
+    for triangles in (1_000,) if given.small else (1_000, 100_000):
+        sizes(write, triangles, given.small)
     for triangles, number in ([(1_000, 5)] if given.small
                               else [(10_000, 100), (100_000, 20), (100_000, 100)]):  # fmt: skip
         covers(write, triangles, number, given.rounds)

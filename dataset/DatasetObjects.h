@@ -72,6 +72,9 @@ public:
     Alone(const Alone&) = delete;
     void operator=(const Alone&) = delete;
 
+    /// Whether the renderer shows nothing else anyway.
+    bool IsWhole() const { return this->Hidden.empty() && this->Blocks.empty(); }
+
   private:
     struct Block
     {

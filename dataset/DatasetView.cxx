@@ -15,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoLensCamera.h"
 #include "vtkRelievoLensPicture.h"
@@ -26,7 +27,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -37,6 +40,10 @@ namespace
 constexpr int OwnSamples = 8;          // samples per pixel, in a window made here
 constexpr int RaysWithAllHits = 65536; // rays per batch
 constexpr double MostPixelsBeyond = 1 << 25;
+// Views drawn together have at most so many pixels; more together take no less time per view.
+constexpr int MostTogether = 64;
+constexpr int PixelsTogether = 1 << 18;
+constexpr std::size_t ViewsOfFrame = 4; // drawn with others in the time that a frame takes
 
 int GetLimit(vtkRenderWindow* window)
 {
@@ -52,6 +59,12 @@ void CheckWindowSize(vtkRenderWindow* window, const int size[2])
     throw UsageError("a view has " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
       " pixels; OpenGL here draws at most " + std::to_string(limit) + " each way");
   }
+}
+
+bool IsPinhole(vtkRelievoCameraModel* camera)
+{
+  auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
+  return lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE;
 }
 
 // Margin columns and rows at each side of a picture: its own size, limited by the size per
@@ -188,32 +201,69 @@ Rectangle FindRectangle(vtkRelievoLensCamera* camera, const DatasetObjects& obje
   return all;
 }
 
-// Objects that never cover each other, and their rectangles.
-struct Group
-{
-  std::vector<int> Objects;
-  std::vector<Rectangle> Rectangles;
-};
+using Places = std::vector<std::vector<Rectangle>>; // of each object in each view
 
-std::vector<Group> Separate(
-  vtkRelievoLensCamera* camera, const DatasetObjects& all, const std::vector<int>& objects)
+// Objects that never cover each other in these views.
+std::vector<std::vector<int>> Separate(
+  const Places& places, const std::vector<std::size_t>& views, const std::vector<int>& objects)
 {
-  std::vector<Group> groups;
+  std::vector<std::vector<int>> groups;
   for (const int object : objects)
   {
-    const Rectangle own = FindRectangle(camera, all, object);
-    const auto isApart = [&own](const Rectangle& other) {
-      return own[0] > other[2] || own[2] < other[0] || own[1] > other[3] || own[3] < other[1];
+    const auto isApart = [&](int member) {
+      return std::all_of(views.begin(), views.end(), [&](std::size_t view) {
+        const Rectangle& own = places[view][static_cast<std::size_t>(object)];
+        const Rectangle& other = places[view][static_cast<std::size_t>(member)];
+        return own[0] > other[2] || own[2] < other[0] || own[1] > other[3] || own[3] < other[1];
+      });
     };
-    const auto fits = [&isApart](const Group& group) {
-      return std::all_of(group.Rectangles.begin(), group.Rectangles.end(), isApart);
+    const auto fits = [&isApart](const std::vector<int>& group) {
+      return std::all_of(group.begin(), group.end(), isApart);
     };
     auto group = std::find_if(groups.begin(), groups.end(), fits);
     group = group == groups.end() ? groups.emplace(group) : group;
-    group->Objects.push_back(object);
-    group->Rectangles.push_back(own);
+    group->push_back(object);
   }
   return groups;
+}
+
+// The views that draw a group of objects.
+using Draws = std::map<std::vector<int>, std::vector<std::size_t>>;
+
+std::size_t GetCost(const Draws& draws)
+{
+  return std::accumulate(draws.begin(), draws.end(), std::size_t{},
+    [](std::size_t sum, const auto& each) { return sum + ViewsOfFrame + each.second.size(); });
+}
+
+// Groups for each view alone, or for all views, which then share frames: what takes less time.
+Draws Separate(const Places& places, const std::vector<std::vector<int>>& objects)
+{
+  Draws each;
+  std::vector<std::size_t> views;
+  std::vector<int> all;
+  for (std::size_t view = 0; view < objects.size(); ++view)
+  {
+    for (const std::vector<int>& group : Separate(places, { view }, objects[view]))
+    {
+      each[group].push_back(view);
+    }
+    views.push_back(view);
+    all.insert(all.end(), objects[view].begin(), objects[view].end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  Draws shared;
+  for (const std::vector<int>& group : Separate(places, views, all))
+  {
+    std::copy_if(
+      views.begin(), views.end(), std::back_inserter(shared[group]), [&](std::size_t view) {
+        return std::any_of(group.begin(), group.end(), [&](int object) {
+          return std::binary_search(objects[view].begin(), objects[view].end(), object);
+        });
+      });
+  }
+  return GetCost(shared) < GetCost(each) ? shared : each;
 }
 
 // The frame of a renderer, which several captures then share instead of making one each.
@@ -373,42 +423,64 @@ void DatasetPainter::BeginView()
 }
 
 //------------------------------------------------------------------------------
-DatasetView DatasetPainter::Draw(vtkRelievoCameraModel* camera, vtkRelievoCameraModel* before,
-  const std::optional<std::array<double, 3>>& sun)
+// A layer of another kind may depend on more than the surfaces in one view.
+std::size_t DatasetPainter::GetNumberTogether(vtkRelievoCameraModel* camera) const
 {
-  DatasetView view;
-  view.Columns = camera->GetSize()[0];
-  view.Rows = camera->GetSize()[1];
-  view.Visible.assign(this->Objects.Get().size(), DatasetMask(view.Columns, view.Rows));
-  view.Whole = view.Visible;
-  if (sun)
+  constexpr int elsewhere = vtkRelievoLayer::FROM_PICTURE | vtkRelievoLayer::FROM_STAGE;
+  const auto isOfSurfaces = [](const std::string& name) {
+    const vtkRelievoLayer& layer = vtkRelievoLayerCatalogue::Find(name);
+    return layer.Kind != vtkRelievoLayer::ARRAY && !layer.OfLight &&
+      (layer.Source & elsewhere) == 0;
+  };
+  if (!IsPinhole(camera) || !std::all_of(this->Layers.begin(), this->Layers.end(), isOfSurfaces))
   {
-    this->SetSun(*sun);
+    return 1;
   }
-  auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
-  if (lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE)
+  const double pixels = static_cast<double>(camera->GetSize()[0]) * camera->GetSize()[1];
+  return static_cast<std::size_t>(std::clamp<double>(PixelsTogether / pixels, 1, MostTogether));
+}
+
+//------------------------------------------------------------------------------
+std::vector<DatasetView> DatasetPainter::Draw(const std::vector<DatasetShot>& shots)
+{
+  std::vector<DatasetView> views(shots.size());
+  for (std::size_t i = 0; i < shots.size(); ++i)
   {
-    this->DrawInWindow(lens, view);
-    if (!this->Flow.empty())
+    views[i].Columns = shots[i].Camera->GetSize()[0];
+    views[i].Rows = shots[i].Camera->GetSize()[1];
+    views[i].Visible.assign(
+      this->Objects.Get().size(), DatasetMask(views[i].Columns, views[i].Rows));
+    views[i].Whole = views[i].Visible;
+  }
+  if (!IsPinhole(shots[0].Camera))
+  {
+    for (std::size_t i = 0; i < shots.size(); ++i)
     {
-      const auto traced = this->TraceLayers(camera, before, this->Flow);
-      for (const std::string& layer : this->Flow)
-      {
-        view.Layers->GetPointData()->AddArray(traced->GetPointData()->GetArray(layer.c_str()));
-      }
+      this->SetSun(shots[i].Sun);
+      this->FollowRays(shots[i].Camera, shots[i].Before, views[i]);
+    }
+    return views;
+  }
+  this->DrawInWindow(shots, views);
+  for (std::size_t i = 0; i < shots.size() && !this->Flow.empty(); ++i)
+  {
+    const auto traced = this->TraceLayers(shots[i].Camera, shots[i].Before, this->Flow);
+    for (const std::string& layer : this->Flow)
+    {
+      views[i].Layers->GetPointData()->AddArray(traced->GetPointData()->GetArray(layer.c_str()));
     }
   }
-  else
-  {
-    this->FollowRays(camera, before, view);
-  }
-  return view;
+  return views;
 }
 
 //------------------------------------------------------------------------------
 // The first sun of the scene turns; without one, a sun becomes the only light.
-void DatasetPainter::SetSun(const std::array<double, 3>& direction)
+void DatasetPainter::SetSun(const std::optional<std::array<double, 3>>& direction)
 {
+  if (!direction)
+  {
+    return;
+  }
   if (!this->Sun)
   {
     vtkLightCollection* lights = this->Renderer->GetLights();
@@ -440,7 +512,7 @@ void DatasetPainter::SetSun(const std::array<double, 3>& direction)
     this->Sun->SetTransformMatrix(nullptr);
   }
   this->Sun->SetFocalPoint(0.0, 0.0, 0.0);
-  this->Sun->SetPosition(direction.data());
+  this->Sun->SetPosition(direction->data());
 }
 
 //------------------------------------------------------------------------------
@@ -467,13 +539,19 @@ void DatasetPainter::RestoreLights()
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> DatasetPainter::DrawLayers(const std::vector<std::string>& layers)
+void DatasetPainter::DrawLayers(
+  const std::vector<std::string>& layers, const std::vector<Shown>& cameras, const Take& take)
 {
   vtkNew<vtkRelievoLayerSource> source;
   source->SetRenderer(this->Renderer);
   for (const std::string& layer : layers)
   {
     source->AddLayer(layer);
+  }
+  this->Renderer->SetActiveCamera(cameras[0].Camera);
+  for (std::size_t i = 0; i < cameras.size() && cameras.size() > 1; ++i)
+  {
+    source->AddView(cameras[i].Camera);
   }
   source->Update();
   const unsigned long code = source->GetErrorCode();
@@ -489,7 +567,28 @@ vtkSmartPointer<vtkImageData> DatasetPainter::DrawLayers(const std::vector<std::
     }
     throw;
   }
-  return source->GetOutput();
+  vtkImageData* all = source->GetOutput();
+  if (cameras.size() == 1)
+  {
+    take(0, all);
+    return;
+  }
+  const vtkIdType pixels = all->GetNumberOfPoints() / static_cast<vtkIdType>(cameras.size());
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+  {
+    vtkNew<vtkImageData> view;
+    view->SetDimensions(all->GetDimensions()[0], all->GetDimensions()[1], 1);
+    for (const std::string& layer : layers)
+    {
+      vtkDataArray* of = all->GetPointData()->GetArray(layer.c_str());
+      const auto array = vtkSmartPointer<vtkDataArray>::Take(of->NewInstance());
+      array->SetName(layer.c_str());
+      array->SetNumberOfComponents(of->GetNumberOfComponents());
+      array->InsertTuples(0, pixels, static_cast<vtkIdType>(i) * pixels, of);
+      view->GetPointData()->AddArray(array);
+    }
+    take(i, view);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -524,28 +623,60 @@ void DatasetPainter::TakePicture(DatasetView& view)
 }
 
 //------------------------------------------------------------------------------
-// Calls `call` with each pixel of each object, drawn without the other objects.
-void DatasetPainter::DrawAlone(vtkRelievoLensCamera* camera, const std::vector<int>& objects,
-  const std::function<void(std::size_t, std::size_t)>& call)
+// Calls `call` with each view, and each pixel of each of its objects, drawn without the others.
+void DatasetPainter::DrawAlone(const std::vector<Shown>& cameras,
+  const std::vector<std::vector<int>>& objects,
+  const std::function<void(std::size_t, std::size_t, std::size_t)>& call)
 {
   std::vector<std::string> layers = { "actor", "block" };
   if (this->Objects.HasVolumes())
   {
     layers.emplace_back("volume");
   }
-  for (const Group& group : Separate(camera, this->Objects, objects))
+  Places places(cameras.size());
+  for (std::size_t view = 0; view < cameras.size(); ++view)
   {
-    const DatasetObjects::Alone alone(this->Objects, group.Objects);
-    const vtkSmartPointer<vtkImageData> drawn = this->DrawLayers(layers);
-    for (std::size_t i = 0; i < group.Objects.size(); ++i)
+    places[view].resize(this->Objects.Get().size());
+    for (const int object : objects[view])
     {
-      const int object = group.Objects[i];
-      ForEachObject(this->Objects, drawn, group.Rectangles[i], [&](std::size_t pixel, int found) {
-        if (found == object)
+      places[view][static_cast<std::size_t>(object)] =
+        FindRectangle(cameras[view].Lens, this->Objects, object);
+    }
+  }
+  for (const auto& each : Separate(places, objects))
+  {
+    const std::vector<int>& group = each.first;
+    const std::vector<std::size_t>& views = each.second;
+    const auto find = [&](std::size_t view, vtkImageData* drawn) {
+      for (const int object : group)
+      {
+        if (std::binary_search(objects[view].begin(), objects[view].end(), object))
         {
-          call(pixel, static_cast<std::size_t>(object));
+          ForEachObject(this->Objects, drawn, places[view][static_cast<std::size_t>(object)],
+            [&](std::size_t pixel, int found) {
+              if (found == object)
+              {
+                call(view, pixel, static_cast<std::size_t>(object));
+              }
+            });
         }
-      });
+      }
+    };
+    const DatasetObjects::Alone alone(this->Objects, group);
+    const bool isDrawn = alone.IsWhole() && cameras[0].Layers;
+    std::vector<Shown> shown;
+    for (const std::size_t view : views)
+    {
+      shown.push_back(cameras[view]);
+      if (isDrawn)
+      {
+        find(view, cameras[view].Layers);
+      }
+    }
+    if (!isDrawn)
+    {
+      this->DrawLayers(
+        layers, shown, [&](std::size_t i, vtkImageData* drawn) { find(views[i], drawn); });
     }
   }
 }
@@ -553,25 +684,45 @@ void DatasetPainter::DrawAlone(vtkRelievoLensCamera* camera, const std::vector<i
 //------------------------------------------------------------------------------
 // An object's full mask is drawn without the others, by the same camera: pixels where the object is
 // visible among the others also show it alone.
-void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& view)
+void DatasetPainter::DrawInWindow(
+  const std::vector<DatasetShot>& shots, std::vector<DatasetView>& views)
 {
-  this->BeginView();
-  CheckWindowSize(this->Window, camera->GetSize());
-  this->Window->vtkRenderWindow::SetSize(view.Columns, view.Rows);
-  camera->ApplyTo(this->Camera);
-  this->Renderer->ResetCameraClippingRange();
-  Messages::Check("the camera");
-  this->TakePicture(view);
+  std::vector<Shown> cameras;
+  for (std::size_t i = 0; i < shots.size(); ++i)
+  {
+    auto* lens = vtkRelievoLensCamera::SafeDownCast(shots[i].Camera);
+    this->SetSun(shots[i].Sun);
+    this->BeginView();
+    CheckWindowSize(this->Window, lens->GetSize());
+    this->Window->vtkRenderWindow::SetSize(views[i].Columns, views[i].Rows);
+    lens->ApplyTo(this->Camera);
+    this->Renderer->ResetCameraClippingRange();
+    Messages::Check("the camera");
+    this->TakePicture(views[i]);
+    cameras.push_back({ lens, this->Camera, nullptr });
+  }
   const SharedFrame frame(this->Renderer);
-  view.Layers = this->DrawLayers(this->Layers);
-  FindVisible(this->Objects, view);
-  std::vector<int> all(view.Whole.size());
+  this->DrawLayers(this->Layers, cameras, [&](std::size_t i, vtkImageData* drawn) {
+    views[i].Layers = cameras[i].Layers = drawn;
+    if (cameras.size() > 1) // which gives no camera
+    {
+      this->SetSun(shots[i].Sun);
+      this->Renderer->SetActiveCamera(cameras[i].Camera);
+      this->Renderer->UpdateLightsGeometryToFollowCamera();
+      vtkRelievoLayerSource::AddCamera(
+        this->Renderer, drawn, vtkRelievoPass::SafeDownCast(this->Renderer->GetPass()));
+    }
+    FindVisible(this->Objects, views[i]);
+  });
+  std::vector<int> all(this->Objects.Get().size());
   std::iota(all.begin(), all.end(), 0);
-  this->DrawAlone(
-    camera, all, [&view](std::size_t pixel, std::size_t object) { view.Whole[object].Add(pixel); });
+  this->DrawAlone(cameras, std::vector<std::vector<int>>(views.size(), all),
+    [&views](std::size_t view, std::size_t pixel, std::size_t object) {
+      views[view].Whole[object].Add(pixel);
+    });
   if (this->Silhouettes)
   {
-    this->LookBeyond(camera, view);
+    this->LookBeyond(cameras, views);
   }
 }
 
@@ -579,54 +730,77 @@ void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& vie
 // An object that may reach beyond the picture is drawn once more, on up to three times as many
 // columns and rows; the middle part is known. Shaders can displace surfaces out of their boxes, so
 // a mask that touches the edge counts as well.
-void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
+void DatasetPainter::LookBeyond(const std::vector<Shown>& cameras, std::vector<DatasetView>& views)
 {
-  const std::array<int, 2> margin = GetMargin(GetLimit(this->Window), view.Columns, view.Rows);
-  const std::array<int, 2> all = { view.Columns + 2 * margin[0], view.Rows + 2 * margin[1] };
+  const int columns = views[0].Columns;
+  const int rows = views[0].Rows;
+  const std::array<int, 2> margin = GetMargin(GetLimit(this->Window), columns, rows);
+  const std::array<int, 2> all = { columns + 2 * margin[0], rows + 2 * margin[1] };
   const std::array<std::size_t, 4> middle = { static_cast<std::size_t>(margin[0]),
-    static_cast<std::size_t>(margin[1]), static_cast<std::size_t>(margin[0] + view.Columns),
-    static_cast<std::size_t>(margin[1] + view.Rows) };
-  std::vector<int> wider;
-  for (std::size_t i = 0; i < view.Whole.size(); ++i)
+    static_cast<std::size_t>(margin[1]), static_cast<std::size_t>(margin[0] + columns),
+    static_cast<std::size_t>(margin[1] + rows) };
+  std::vector<Shown> wide;
+  std::vector<vtkSmartPointer<vtkRelievoLensCamera>> lenses;
+  std::vector<std::size_t> numbers; // of the views
+  std::vector<std::vector<int>> wider;
+  std::vector<std::vector<DatasetMask>> beyond;
+  for (std::size_t number = 0; number < views.size(); ++number)
   {
-    const std::array<int, 4> box = view.Whole[i].GetBox();
-    view.Silhouettes.push_back({ view.Whole[i].GetCount(), box });
-    const bool isTouching = view.Whole[i].GetCount() > 0 &&
-      (box[0] == 0 || box[1] == 0 || box[0] + box[2] == view.Columns ||
-        box[1] + box[3] == view.Rows);
-    const auto object = static_cast<int>(i);
-    if (isTouching || FindReach(camera, this->Objects, object) == ObjectReach::Beyond)
+    DatasetView& view = views[number];
+    vtkRelievoLensCamera* camera = cameras[number].Lens;
+    std::vector<int> objects;
+    for (std::size_t i = 0; i < view.Whole.size(); ++i)
     {
-      wider.push_back(object);
+      const std::array<int, 4> box = view.Whole[i].GetBox();
+      view.Silhouettes.push_back({ view.Whole[i].GetCount(), box });
+      const bool isTouching = view.Whole[i].GetCount() > 0 &&
+        (box[0] == 0 || box[1] == 0 || box[0] + box[2] == columns || box[1] + box[3] == rows);
+      const auto object = static_cast<int>(i);
+      if (isTouching || FindReach(camera, this->Objects, object) == ObjectReach::Beyond)
+      {
+        objects.push_back(object);
+      }
     }
+    if (objects.empty())
+    {
+      continue;
+    }
+    lenses.push_back(vtkSmartPointer<vtkRelievoLensCamera>::New());
+    vtkRelievoLensCamera* lens = lenses.back();
+    lens->Copy(camera);
+    const double* axis = camera->GetPrincipalPoint();
+    lens->SetSize(all[0], all[1]);
+    lens->SetIntrinsics(camera->GetFocalX(), camera->GetFocalY(), camera->GetSkew(),
+      axis[0] + margin[0], axis[1] + margin[1]);
+    lens->ApplyTo(cameras[number].Camera);
+    wide.push_back({ lens, cameras[number].Camera, nullptr });
+    numbers.push_back(number);
+    wider.push_back(objects);
+    beyond.emplace_back(view.Whole.size(), DatasetMask(all[0], all[1]));
   }
-  if (wider.empty())
+  if (wide.empty())
   {
     return;
   }
-  vtkNew<vtkRelievoLensCamera> wide;
-  wide->Copy(camera);
-  const double* axis = camera->GetPrincipalPoint();
-  wide->SetSize(all[0], all[1]);
-  wide->SetIntrinsics(camera->GetFocalX(), camera->GetFocalY(), camera->GetSkew(),
-    axis[0] + margin[0], axis[1] + margin[1]);
   this->Window->vtkRenderWindow::SetSize(all[0], all[1]);
-  wide->ApplyTo(this->Camera);
-  std::vector<DatasetMask> beyond(view.Whole.size(), DatasetMask(all[0], all[1]));
-  this->DrawAlone(wide, wider, [&](std::size_t pixel, std::size_t object) {
+  this->DrawAlone(wide, wider, [&](std::size_t view, std::size_t pixel, std::size_t object) {
     const std::size_t column = pixel % static_cast<std::size_t>(all[0]);
     const std::size_t row = pixel / static_cast<std::size_t>(all[0]);
     const bool isMiddle =
       column >= middle[0] && row >= middle[1] && column < middle[2] && row < middle[3];
     if (!isMiddle)
     {
-      beyond[object].Add(pixel);
+      beyond[view][object].Add(pixel);
     }
   });
-  for (const int object : wider)
+  for (std::size_t i = 0; i < wide.size(); ++i)
   {
-    const auto i = static_cast<std::size_t>(object);
-    view.Silhouettes[i] = JoinSilhouette(view.Whole[i], beyond[i], margin);
+    DatasetView& view = views[numbers[i]];
+    for (const int object : wider[i])
+    {
+      const auto number = static_cast<std::size_t>(object);
+      view.Silhouettes[number] = JoinSilhouette(view.Whole[number], beyond[i][number], margin);
+    }
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * One view of a data set: its picture, its layers, and the masks of its objects.
+ * Views of a data set: their pictures, layers, and the masks of their objects.
  */
 #ifndef DatasetView_h
 #define DatasetView_h
@@ -51,6 +51,15 @@ struct DatasetView
   std::vector<double> GetLayer(const std::string& name, int& components) const;
 };
 
+/// What a view is drawn from: its camera, the camera of the view before it, to which flow leads, or
+/// nullptr, and the direction towards the sun, in place of the scene's first.
+struct DatasetShot
+{
+  vtkRelievoCameraModel* Camera = nullptr;
+  vtkRelievoCameraModel* Before = nullptr;
+  std::optional<std::array<double, 3>> Sun;
+};
+
 /// Draws views. Its destructor restores the renderer, its camera, its lights and its window.
 class DatasetPainter
 {
@@ -62,11 +71,13 @@ public:
   DatasetPainter(const DatasetPainter&) = delete;
   void operator=(const DatasetPainter&) = delete;
 
-  /// Draws a view. `before`: the previous view's camera, the target of flow, or nullptr. `sun`: the
-  /// direction towards the sun, in place of the scene's first. Throws UsageError for unknown
-  /// layers, and WorkError.
-  DatasetView Draw(vtkRelievoCameraModel* camera, vtkRelievoCameraModel* before,
-    const std::optional<std::array<double, 3>>& sun);
+  /// How many views with this one's camera and size are best drawn in one call. The views are the
+  /// same however many are drawn together.
+  std::size_t GetNumberTogether(vtkRelievoCameraModel* camera) const;
+
+  /// Draws views: one, or several pinholes of one size. Throws UsageError for unknown layers, and
+  /// WorkError.
+  std::vector<DatasetView> Draw(const std::vector<DatasetShot>& shots);
 
   /// Gives the lights back as they were before suns of their own.
   void RestoreLights();
@@ -78,20 +89,30 @@ private:
     bool On;
   };
 
+  /// A pinhole in the window.
+  struct Shown
+  {
+    vtkRelievoLensCamera* Lens = nullptr;
+    vtkSmartPointer<vtkCamera> Camera;
+    vtkSmartPointer<vtkImageData> Layers; ///< of all objects, if they have been drawn
+  };
+  using Take = std::function<void(std::size_t, vtkImageData*)>;
+
   void OpenWindow();
   void BeginView();
-  void SetSun(const std::array<double, 3>& direction);
-  void DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& view);
+  void SetSun(const std::optional<std::array<double, 3>>& direction);
+  void DrawInWindow(const std::vector<DatasetShot>& shots, std::vector<DatasetView>& views);
   void FollowRays(vtkRelievoCameraModel* camera, vtkRelievoCameraModel* before, DatasetView& view);
-  vtkSmartPointer<vtkImageData> DrawLayers(const std::vector<std::string>& layers);
+  void DrawLayers(
+    const std::vector<std::string>& layers, const std::vector<Shown>& cameras, const Take& take);
   void TakePicture(DatasetView& view);
   void TakePicture(vtkRelievoCameraModel* camera, DatasetView& view);
   vtkSmartPointer<vtkImageData> TraceLayers(vtkRelievoCameraModel* camera,
     vtkRelievoCameraModel* before, const std::vector<std::string>& layers);
   void FindWhole(vtkRelievoCameraModel* camera, DatasetView& view);
-  void DrawAlone(vtkRelievoLensCamera* camera, const std::vector<int>& objects,
-    const std::function<void(std::size_t, std::size_t)>& call);
-  void LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view);
+  void DrawAlone(const std::vector<Shown>& cameras, const std::vector<std::vector<int>>& objects,
+    const std::function<void(std::size_t, std::size_t, std::size_t)>& call);
+  void LookBeyond(const std::vector<Shown>& cameras, std::vector<DatasetView>& views);
 
   vtkRenderer* Renderer;
   const DatasetObjects& Objects;

@@ -26,8 +26,10 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <fnmatch.h>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -670,6 +672,37 @@ void vtkRelievoDatasetWriter::WriteViews()
   }
   dataset::PartProgress progress(self.Directory, part, "views");
   dataset::DatasetPainter painter(self.Renderer, objects, self.Layers, format.NeedsSilhouettes);
+  const auto describe = [&](int i) {
+    const auto number = static_cast<std::size_t>(i);
+    dataset::DatasetShot shot;
+    shot.Camera = self.Cameras[number];
+    shot.Before = i > 0 ? self.Cameras[number - 1].GetPointer() : nullptr;
+    if (this->RandomSun)
+    {
+      shot.Sun = dataset::MakeDatasetSun(this->Seed, i, this->UpAxis);
+    }
+    return shot;
+  };
+  // This view, and those after it that have no record and are drawn together with it.
+  const auto findShots = [&](int i) {
+    std::vector<dataset::DatasetShot> shots = { describe(i) };
+    const std::size_t most =
+      this->SceneVaries ? 1 : painter.GetNumberTogether(shots.front().Camera);
+    const int* size = shots.front().Camera->GetSize();
+    for (int next = i + 1; next < end && shots.size() < most; ++next)
+    {
+      const dataset::DatasetShot shot = describe(next);
+      if (painter.GetNumberTogether(shot.Camera) == 1 ||
+        !std::equal(size, size + 2, shot.Camera->GetSize()) ||
+        fs::exists(self.GetRecord(static_cast<std::size_t>(next))))
+      {
+        break;
+      }
+      shots.push_back(shot);
+    }
+    return shots;
+  };
+  std::deque<dataset::DatasetView> drawn; // this view and those after it
   std::size_t beyond = 0;
   for (int i = begin; i < end; ++i)
   {
@@ -700,15 +733,16 @@ void vtkRelievoDatasetWriter::WriteViews()
           record["variation"] = self.Variation;
         }
       }
-      std::optional<std::array<double, 3>> sun;
       if (this->RandomSun)
       {
-        sun = dataset::MakeDatasetSun(this->Seed, i, this->UpAxis);
-        record["sun"] = *sun;
+        record["sun"] = *describe(i).Sun;
       }
-      const dataset::DatasetView view =
-        painter.Draw(camera, i > 0 ? self.Cameras[number - 1].GetPointer() : nullptr, sun);
-      beyond += dataset::WriteDatasetView(style, view, objects, camera, number, record);
+      if (drawn.empty())
+      {
+        std::vector<dataset::DatasetView> together = painter.Draw(findShots(i));
+        std::move(together.begin(), together.end(), std::back_inserter(drawn));
+      }
+      beyond += dataset::WriteDatasetView(style, drawn.front(), objects, camera, number, record);
       if (i == 0)
       {
         format.WriteModels(style, self.Renderer, objects); // their hashes are in the first record
@@ -719,6 +753,10 @@ void vtkRelievoDatasetWriter::WriteViews()
       dataset::CheckSettings(self.Directory, dataset::DatasetSettings, settings);
       dataset::WriteWhole(path, dataset::WriteDatasetJson(record));
       ++this->NumberOfViewsWritten;
+    }
+    if (!drawn.empty()) // also of a view that another process has drawn meanwhile
+    {
+      drawn.pop_front();
     }
     style.Hashes.clear();
     if (isPart && this->NumberOfViewsWritten > 0)

@@ -737,7 +737,8 @@ class Datasets(unittest.TestCase):
                  "layers": ["normal"]}
         whole, parts, broken = (self.folder / name for name in ("whole", "parts", "broken"))
         self.assertEqual(relievo.write_dataset(renderer, directory=whole, **words), 5)
-        for views in ((2, 5), (0, 2)):
+        # Several views are drawn in one frame, and a single one has a frame of its own.
+        for views in ((4, 5), (2, 4), (1, 2), (0, 1)):
             relievo.write_dataset(renderer, directory=parts, views=views, **words)
         self.assertTrue(same(whole, parts))
         with self.assertRaisesRegex(RuntimeError, "ended by progress at 40%"):

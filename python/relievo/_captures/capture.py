@@ -425,7 +425,7 @@ def _frame_of(renderer):
 
     # The last observer: others set passes in theirs.
     window = renderer.GetRenderWindow()
-    watched = window is None or any(each.HasObserver("StartEvent") for each in (renderer, window))
+    watched = any(each.HasObserver("StartEvent") for each in (renderer, window) if each)
     tag = renderer.AddObserver("StartEvent", keep, -1.0) if watched else None
     try:
         yield frame
