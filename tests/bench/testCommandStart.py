@@ -110,7 +110,7 @@ class ScalingOut(unittest.TestCase):
         rows = rows_of("scaling_out.py", "--rounds", "1")
         self.assertEqual([row["subject"] for row in rows],
                          ["start"] * 3 + ["part"] * 10 + ["view"] * 4
-                         + ["data set"] * 3 + ["cover"])  # fmt: skip
+                         + ["data set"] * 7 + ["cover"])  # fmt: skip
         self.assertTrue(all(float(row["processor seconds"]) > 0 for row in rows))
         self.assertAlmostEqual(float(rows[1]["bytes"]), 48, delta=3)  # of 12 + 4 + 12 + 2 + a node
         measured, model = (
