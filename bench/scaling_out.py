@@ -7,8 +7,9 @@
 Needs the package relievo in PYTHONPATH, numpy, and a display (tools/with-display). Rows:
 
 - start: a ray tree of a bumpy ring, built from the mesh, or opened from its file, alone or with the
-  mesh, for one process; `bytes` per triangle of the file. The column `MiB` has the proportional set
-  size of each of eight processes that hold the file, less that without it (Linux).
+  mesh, for one process; `bytes` per triangle of the file, and of the build at its peak, beside the
+  mesh (Linux). The column `MiB` has the proportional set size of each of eight processes that hold
+  the file, less that without it (Linux).
 - part: `relievo sun` of a bumpy ring for a day, part 1 of `number`, with a file of the tree. `MiB`
   is the process's own memory at its peak, without the file, which all parts share. The rows of the
   model are a + b / number, fitted to the processor seconds by least squares.
@@ -28,6 +29,7 @@ import argparse
 import csv
 import os
 import pathlib
+import re
 import resource
 import subprocess
 import sys
@@ -78,6 +80,18 @@ def seconds(call, rounds):
     return min(taken)
 
 
+def peak(call):
+    """Bytes of memory that the call adds at its peak."""
+    def held(word):
+        status = pathlib.Path("/proc/self/status").read_text()
+        return 1024 * int(re.search(rf"{word}:\s+(\d+)", status)[1])
+
+    pathlib.Path("/proc/self/clear_refs").write_text("5")  # the peak is counted anew
+    before = held("VmRSS")
+    call()
+    return held("VmHWM") - before
+
+
 def ring(triangles):
     points, cells = torus(triangles)
     mesh = vtkPolyData()
@@ -110,13 +124,14 @@ def starts(write, triangles, rounds):
     count = mesh.GetNumberOfCells()
     with tempfile.TemporaryDirectory() as folder:
         path = str(pathlib.Path(folder, "ring.rays"))
+        bytes_at_peak = peak(lambda: relievo.rays(mesh).scene.Update())
+        sizes = {"built": f"{bytes_at_peak / count:.1f}"}
         relievo.rays(mesh).write(path)
+        sizes["file"] = f"{os.path.getsize(path) / count:.1f}"
         for method, things in (("built", (mesh,)), ("file", (path,)), ("file, mesh", (path, mesh))):
             taken = seconds(lambda given=things: relievo.rays(*given).scene.Update(), rounds)
-            alone = method == "file"
-            write("start", method, count, 1, taken,
-                  f"{os.path.getsize(path) / count:.1f}" if alone else "",
-                  f"{set_size(path) - set_size():.1f}" if alone else "", "")  # fmt: skip
+            write("start", method, count, 1, taken, sizes.get(method, ""),
+                  f"{set_size(path) - set_size():.1f}" if method == "file" else "", "")
 
 
 def parts(write, triangles, rounds):

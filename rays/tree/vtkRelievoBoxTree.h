@@ -13,7 +13,6 @@
 #include "vtkRelievoRaysModule.h" // for the export macro
 
 #include <array>
-#include <utility>
 #include <vector>
 
 class VTKRELIEVORAYS_EXPORT vtkRelievoBoxTree
@@ -49,7 +48,6 @@ public:
 
   // The index of the box at each position in the leaves.
   const std::vector<int>& GetOrder() const { return this->Order; }
-  std::vector<int> TakeOrder() { return std::move(this->Order); }
 
   // Expected node visits of a ray through the root: the sum of all nodes' areas over the root's.
   double GetCost() const;

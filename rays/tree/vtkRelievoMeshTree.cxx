@@ -17,6 +17,7 @@
 namespace
 {
 constexpr int ToALeaf = 4;
+constexpr vtkIdType InABlock = 1 << 14;                   // triangles
 constexpr std::int64_t MostCells = std::int64_t(1) << 60; // before the polygons
 constexpr double NoBound = std::numeric_limits<double>::infinity();
 
@@ -75,37 +76,49 @@ std::size_t vtkRelievoMeshTree::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
+// Takes the places of the points in use, or of all points of the mesh if it was just read.
 void vtkRelievoMeshTree::TakePlaces(vtkPolyData* data)
 {
   std::vector<glm::dvec3> places = this->Places.Release();
-  places.resize(this->Points.size());
+  const bool all = this->Points.empty();
+  places.resize(all ? static_cast<std::size_t>(data->GetNumberOfPoints()) : this->Points.size());
   places.shrink_to_fit();
-  for (std::size_t i = 0; i < this->Points.size(); ++i)
-  {
-    data->GetPoint(static_cast<vtkIdType>(this->Points[i]), &places[i].x);
-  }
+  vtkRelievoForAll(static_cast<vtkIdType>(places.size()), [&](vtkIdType i) {
+    data->GetPoint(all ? i : static_cast<vtkIdType>(this->Points[i]), &places[i].x);
+  });
+  const vtkIdType triangles = this->GetNumberOfTriangles();
+  const vtkIdType blocks = (triangles + InABlock - 1) / InABlock;
+  std::vector<glm::dvec3> lows(static_cast<std::size_t>(blocks), glm::dvec3(NoBound));
+  std::vector<glm::dvec3> highs(static_cast<std::size_t>(blocks), glm::dvec3(-NoBound));
+  vtkRelievoForAll(blocks, [&](vtkIdType block) {
+    const vtkIdType end = std::min(triangles, (block + 1) * InABlock);
+    for (vtkIdType i = block * InABlock; i < end; ++i)
+    {
+      const std::uint32_t* corners = this->GetCorners(static_cast<int>(i));
+      const glm::dvec3& a = places[corners[0]];
+      const glm::dvec3& b = places[corners[1]];
+      const glm::dvec3& c = places[corners[2]];
+      if (HasPlace(a) && HasPlace(b) && HasPlace(c))
+      {
+        lows[block] = glm::min(lows[block], glm::min(glm::min(a, b), c));
+        highs[block] = glm::max(highs[block], glm::max(glm::max(a, b), c));
+      }
+    }
+  });
   this->Low = glm::dvec3(NoBound);
   this->High = glm::dvec3(-NoBound);
-  for (std::size_t i = 0; i < this->Corners.size(); i += 3)
+  for (std::size_t block = 0; block < lows.size(); ++block)
   {
-    const glm::dvec3& a = places[this->Corners[i]];
-    const glm::dvec3& b = places[this->Corners[i + 1]];
-    const glm::dvec3& c = places[this->Corners[i + 2]];
-    if (HasPlace(a) && HasPlace(b) && HasPlace(c))
-    {
-      this->Low = glm::min(this->Low, glm::min(glm::min(a, b), c));
-      this->High = glm::max(this->High, glm::max(glm::max(a, b), c));
-    }
+    this->Low = glm::min(this->Low, lows[block]);
+    this->High = glm::max(this->High, highs[block]);
   }
   if (!this->IsEmpty())
   {
     this->Origin = 0.5 * this->Low + 0.5 * this->High;
     this->Low -= this->Origin;
     this->High -= this->Origin;
-    for (glm::dvec3& p : places)
-    {
-      p -= this->Origin;
-    }
+    vtkRelievoForAll(
+      static_cast<vtkIdType>(places.size()), [&](vtkIdType i) { places[i] -= this->Origin; });
     const double reach = std::max({ this->High.x, this->High.y, this->High.z });
     this->Scale = reach > 1e-290 ? 1.0 / reach : 1.0;
   }
@@ -113,19 +126,18 @@ void vtkRelievoMeshTree::TakePlaces(vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
+// Without cells as long as each is one triangle.
 void vtkRelievoMeshTree::TakeTriangles(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule)
 {
-  std::vector<std::uint32_t> all(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  std::iota(all.begin(), all.end(), std::uint32_t(0));
   std::vector<std::uint32_t> corners = this->Corners.Release();
   std::vector<std::uint32_t> cells = this->Cells.Release();
   corners.clear();
   cells.clear();
+  this->Points.Set({});
   this->CellOffset = data->GetNumberOfVerts() + data->GetNumberOfLines();
   const vtkIdType points = data->GetNumberOfPoints();
   const std::size_t polygons = static_cast<std::size_t>(data->GetNumberOfPolys());
   corners.reserve(3 * polygons);
-  cells.reserve(polygons);
   vtkRelievoPolygonCut::ForEachTriangle(
     data,
     [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
@@ -133,16 +145,37 @@ void vtkRelievoMeshTree::TakeTriangles(vtkPolyData* data, vtkRelievoPolygonCut::
       {
         return; // an index beyond the points
       }
+      const std::size_t triangle = corners.size() / 3;
+      if (!cells.empty() || static_cast<std::size_t>(cell) != triangle)
+      {
+        if (cells.empty())
+        {
+          cells.reserve(polygons);
+          cells.resize(triangle);
+          std::iota(cells.begin(), cells.end(), std::uint32_t(0));
+        }
+        cells.push_back(static_cast<std::uint32_t>(cell));
+      }
       for (const vtkIdType id : { a, b, c })
       {
         corners.push_back(static_cast<std::uint32_t>(id));
       }
-      cells.push_back(static_cast<std::uint32_t>(cell));
     },
     rule);
-  this->Points.Set(std::move(all));
   this->Corners.Set(std::move(corners));
   this->Cells.Set(std::move(cells));
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoBoxTree::Box vtkRelievoMeshTree::GetBox(int triangle) const
+{
+  const std::uint32_t* corners = this->GetCorners(triangle);
+  const glm::dvec3 a = this->Scale * this->Places[corners[0]];
+  const glm::dvec3 b = this->Scale * this->Places[corners[1]];
+  const glm::dvec3 c = this->Scale * this->Places[corners[2]];
+  return HasPlace(a) && HasPlace(b) && HasPlace(c)
+    ? vtkRelievoWideTree::Around(glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c))
+    : vtkRelievoWideTree::Nowhere();
 }
 
 //------------------------------------------------------------------------------
@@ -150,57 +183,50 @@ std::vector<vtkRelievoBoxTree::Box> vtkRelievoMeshTree::GetBoxes() const
 {
   const vtkIdType count = this->GetNumberOfTriangles();
   std::vector<vtkRelievoBoxTree::Box> boxes(static_cast<std::size_t>(count));
-  const auto make = [&](vtkIdType from, vtkIdType to) {
-    for (vtkIdType i = from; i < to; ++i)
-    {
-      const std::uint32_t* corners = this->GetCorners(static_cast<int>(i));
-      const glm::dvec3 a = this->Scale * this->Places[corners[0]];
-      const glm::dvec3 b = this->Scale * this->Places[corners[1]];
-      const glm::dvec3 c = this->Scale * this->Places[corners[2]];
-      boxes[static_cast<std::size_t>(i)] = HasPlace(a) && HasPlace(b) && HasPlace(c)
-        ? vtkRelievoWideTree::Around(glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c))
-        : vtkRelievoWideTree::Nowhere();
-    }
-  };
-  vtkRelievoWithThreads([&]() { vtkSMPTools::For(0, count, make); });
+  vtkRelievoForAll(count, [&](vtkIdType i) { boxes[i] = this->GetBox(static_cast<int>(i)); });
   return boxes;
 }
 
 //------------------------------------------------------------------------------
-// Reorders the values by the leaves, `size` values each.
-template <typename Value>
-void vtkRelievoMeshTree::Sort(vtkRelievoStoredArray<Value>& values, std::size_t size) const
+// Reorders triangles by the leaves.
+void vtkRelievoMeshTree::SortTriangles()
 {
-  std::vector<Value> sorted;
-  sorted.reserve(values.size());
-  for (const int triangle : this->Tree.GetOrder())
+  const std::vector<int> order = this->Tree.TakeOrder();
+  const auto count = static_cast<vtkIdType>(order.size());
+  std::vector<std::uint32_t> corners(3 * order.size());
+  vtkRelievoForAll(count,
+    [&](vtkIdType i) { std::copy_n(this->GetCorners(order[i]), 3, corners.data() + 3 * i); });
+  this->Corners.Set(std::move(corners));
+  std::vector<std::uint32_t> cells(order.begin(), order.end());
+  if (!this->Cells.empty())
   {
-    const auto from = values.begin() + static_cast<std::ptrdiff_t>(size * triangle);
-    sorted.insert(sorted.end(), from, from + static_cast<std::ptrdiff_t>(size));
+    vtkRelievoForAll(count, [&](vtkIdType i) { cells[i] = this->Cells[cells[i]]; });
   }
-  values.Set(std::move(sorted));
+  this->Cells.Set(std::move(cells));
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoMeshTree::SortPoints()
+void vtkRelievoMeshTree::SortPoints(vtkPolyData* data)
 {
   constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> sorted(this->Points.size(), None);
+  std::vector<std::uint32_t> sorted(static_cast<std::size_t>(data->GetNumberOfPoints()), None);
   std::vector<std::uint32_t> points;
-  std::vector<glm::dvec3> places;
   std::vector<std::uint32_t> corners = this->Corners.Release();
   for (std::uint32_t& corner : corners)
   {
     if (sorted[corner] == None)
     {
       sorted[corner] = static_cast<std::uint32_t>(points.size());
-      points.push_back(this->Points[corner]);
-      places.push_back(this->Places[corner]);
+      points.push_back(corner);
     }
     corner = sorted[corner];
   }
   points.shrink_to_fit();
-  places.shrink_to_fit();
+  std::vector<glm::dvec3> places(points.size());
+  vtkRelievoForAll(static_cast<vtkIdType>(points.size()), [&](vtkIdType i) {
+    data->GetPoint(static_cast<vtkIdType>(points[i]), &places[i].x);
+    places[i] -= this->IsEmpty() ? glm::dvec3(0.0) : this->Origin;
+  });
   this->Corners.Set(std::move(corners));
   this->Points.Set(std::move(points));
   this->Places.Set(std::move(places));
@@ -215,12 +241,9 @@ double vtkRelievoMeshTree::GetBytesToBuild(vtkPolyData* data) const
   {
     return 0.0;
   }
-  // Held together while vtkRelievoBoxTree splits all triangles: corners, cells, boxes, two nodes of
-  // 32 bytes for every four triangles, the order, and sorted pairs.
-  constexpr double OfTriangle = 3 * sizeof(std::uint32_t) + sizeof(std::uint32_t) +
-    sizeof(vtkRelievoBoxTree::Box) + 2.0 * sizeof(vtkRelievoBoxTree::Node) / ToALeaf + sizeof(int) +
-    sizeof(std::pair<float, int>);
-  constexpr double OfPoint = sizeof(std::uint32_t) + sizeof(glm::dvec3);
+  // Held together when the last node is made: corners, records, nodes, and places of points.
+  constexpr double OfTriangle = 3 * sizeof(std::uint32_t) + vtkRelievoWideTree::BytesToBuild;
+  constexpr double OfPoint = sizeof(glm::dvec3);
   const double needed =
     OfTriangle * static_cast<double>(vtkRelievoPolygonCut::CountTriangles(data)) +
     OfPoint * static_cast<double>(data->GetNumberOfPoints());
@@ -251,11 +274,11 @@ bool vtkRelievoMeshTree::Update(vtkPolyData* data, vtkRelievoPolygonCut::Rule ru
   {
     this->TakeTriangles(data, rule);
     this->TakePlaces(data);
-    this->Tree.Build(this->GetBoxes(), ToALeaf);
-    this->Sort(this->Corners, 3);
-    this->Sort(this->Cells, 1);
-    this->SortPoints();
-    this->Tree.TakeOrderForGiven();
+    this->Tree.Build(
+      this->GetNumberOfTriangles(), [this](int i) { return this->GetBox(i); }, ToALeaf);
+    this->Places.Set({}); // they are taken again: with them, the peak would be here
+    this->SortTriangles();
+    this->SortPoints(data);
   }
   return true;
 }

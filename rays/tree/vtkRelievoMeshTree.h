@@ -31,7 +31,7 @@ public:
   // No ray hits a triangle with a corner that is not finite. The rule of the first call is kept.
   bool Update(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule);
   bool WasRefitted() const { return this->Refitted; } // in the last update
-  // Bytes that Update needs at least, at its peak and beyond those held now, to build the tree; 0
+  // Bytes that Update usually needs, at its peak and beyond those held now, to build the tree; 0
   // for a tree that is kept or refitted.
   double GetBytesToBuild(vtkPolyData* data) const;
   // That a built tree has at least for each triangle: three corners, a cell, and a share of a node.
@@ -103,10 +103,10 @@ public:
 private:
   void TakePlaces(vtkPolyData* data);
   void TakeTriangles(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule);
-  void SortPoints();
+  vtkRelievoBoxTree::Box GetBox(int triangle) const;
   std::vector<vtkRelievoBoxTree::Box> GetBoxes() const;
-  template <typename Value>
-  void Sort(vtkRelievoStoredArray<Value>& values, std::size_t size) const;
+  void SortTriangles();
+  void SortPoints(vtkPolyData* data);
 
   std::vector<vtkMTimeType> Times; // of points, polygons and strips
   std::uint64_t Cuts = 0;          // hash of the triangulation that depends on points

@@ -42,7 +42,7 @@ public:
   // changed. The meshes must exist as long as rays are traced.
   bool SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes);
 
-  // Bytes that SetMeshes needs at least, at its peak, beyond those held now.
+  // Bytes that SetMeshes usually needs, at its peak, beyond those held now.
   double GetBytesToBuild(const std::vector<vtkRelievoPlacedMesh>& meshes) const;
 
   // Gives the tree of a mesh as it is now, which the next SetMeshes uses instead of building it.

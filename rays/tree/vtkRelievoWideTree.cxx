@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoWideTree.h"
 
+#include "vtkRelievoBoxRecords.h"
 #include "vtkRelievoRayFile.h"
+#include "vtkRelievoThreads.h"
 
+#include <atomic>
 #include <limits>
-#include <optional>
+#include <new>
 
 namespace
 {
@@ -24,30 +27,36 @@ double GetHalfArea(const Box& box)
   const glm::dvec3 size = glm::max(glm::dvec3(box.Max) - glm::dvec3(box.Min), 0.0);
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
+constexpr int InASubtree = 8192;   // boxes of a subtree built by one thread
+constexpr std::size_t AtOnce = 64; // subtrees built before their nodes are stored
+constexpr std::size_t OfAll = 16;  // parts in which nodes are stored, at most
 
-// Positions and sizes of nodes in the binary tree.
-class Pairs
+// Runs work(i) for each i below `count`; each takes long. Lack of memory in a thread is thrown to
+// the caller.
+template <typename Work>
+void ForEach(std::size_t count, Work work)
 {
-public:
-  explicit Pairs(const vtkRelievoBoxTree& tree)
-    : Nodes(tree.GetNodes())
+  std::atomic<bool> lacks{ false };
+  vtkRelievoWithThreads([&]() {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1, [&](vtkIdType begin, vtkIdType end) {
+      try
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          work(static_cast<std::size_t>(i));
+        }
+      }
+      catch (const std::bad_alloc&)
+      {
+        lacks = true;
+      }
+    });
+  });
+  if (lacks)
   {
+    throw std::bad_alloc();
   }
-  bool IsLeaf(int node) const { return this->Nodes[node].Count > 0; }
-  int GetFirst(int leaf) const { return -1 - this->Nodes[leaf].Next; }
-  int GetCount(int leaf) const { return this->Nodes[leaf].Count; }
-  int GetRight(int node) const
-  {
-    return this->IsLeaf(node + 1) ? node + 2 : this->Nodes[node + 1].Next;
-  }
-  double GetSize(int node) const
-  {
-    return GetHalfArea({ this->Nodes[node].Low, this->Nodes[node].High });
-  }
-
-private:
-  const std::vector<vtkRelievoBoxTree::Node>& Nodes;
-};
+}
 }
 
 bool vtkRelievoWideTree::Avx2 = vtkRelievoAvx2::IsSupported();
@@ -59,131 +68,281 @@ vtkRelievoWideTree::Box vtkRelievoWideTree::Nowhere()
     glm::vec3(-std::numeric_limits<float>::max()) };
 }
 
-//------------------------------------------------------------------------------
-void vtkRelievoWideTree::Build(const std::vector<Box>& boxes, int leafSize)
+// A node to be made, over a range of records.
+struct vtkRelievoWideTree::Task
 {
-  std::vector<Node> nodes = this->Nodes.Release();
-  nodes.clear();
+  vtkRelievoBoxRecords::Range Range;
+  vtkRelievoBoxRecords::Grid Grid;
+  int Parent = -1;
+  int Child = 0; // the slot in the parent
+  int Depth = 1;
+};
+
+// The nodes of a subtree, with indices among themselves.
+struct vtkRelievoWideTree::Subtree
+{
+  std::vector<Node> Nodes;
+  Box Whole = Nowhere();
+  int Depth = 0;
+  double Areas = 0.0;
+};
+
+//------------------------------------------------------------------------------
+// Makes the node `index`: divides the range, always its largest part, until the node is full.
+// Returns the tasks of the children that are nodes.
+std::vector<vtkRelievoWideTree::Task> vtkRelievoWideTree::MakeNode(
+  vtkRelievoBoxRecords& records, Task task, int leafSize, int index, Node& node)
+{
+  records.Refine(task.Range, task.Grid);
+  vtkRelievoBoxRecords::Range children[Width];
+  float areas[Width];
+  children[0] = task.Range;
+  areas[0] = vtkRelievoBoxRecords::GetArea(task.Range);
+  int count = 1;
+  while (count < Width)
+  {
+    int largest = -1;
+    for (int i = 0; i < count; ++i)
+    {
+      if (children[i].Count > leafSize && (largest < 0 || areas[i] > areas[largest]))
+      {
+        largest = i;
+      }
+    }
+    if (largest < 0)
+    {
+      break;
+    }
+    const vtkRelievoBoxRecords::Range divided = children[largest];
+    records.Split(divided, children[largest], children[count]);
+    areas[largest] = vtkRelievoBoxRecords::GetArea(children[largest]);
+    areas[count] = vtkRelievoBoxRecords::GetArea(children[count]);
+    ++count;
+  }
+  std::vector<Task> tasks;
+  for (int i = 0; i < Width; ++i)
+  {
+    node.Child[i] = 0; // no box, or not made yet
+    if (i < count && children[i].Count > leafSize)
+    {
+      tasks.push_back({ children[i], task.Grid, index, i, task.Depth + 1 });
+    }
+    else if (i < count)
+    {
+      node.Child[i] = -1 - (Most * children[i].First + children[i].Count - 1);
+    }
+  }
+  return tasks;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoWideTree::MakeSubtree(
+  vtkRelievoBoxRecords& records, const Task& task, int leafSize, Subtree& subtree)
+{
+  std::vector<Node>& nodes = subtree.Nodes;
+  std::vector<Task> open(1, task);
+  open[0].Parent = -1;
+  while (!open.empty())
+  {
+    const Task next = open.back();
+    open.pop_back();
+    const int index = static_cast<int>(nodes.size());
+    if (next.Parent >= 0)
+    {
+      nodes[next.Parent].Child[next.Child] = index;
+    }
+    subtree.Depth = std::max(subtree.Depth, next.Depth);
+    nodes.emplace_back();
+    const std::vector<Task> children = MakeNode(records, next, leafSize, index, nodes.back());
+    open.insert(open.end(), children.begin(), children.end());
+  }
+  subtree.Whole = Fit(
+    nodes, [&](int position) { return records.GetBox(position); }, subtree.Areas);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoWideTree::Build(int count, const GetBox& getBox, int leafSize)
+{
+  this->Nodes.Set({});
+  this->Order.clear();
   this->Stack = 0;
-  std::optional<vtkRelievoBoxTree> tree(std::in_place);
-  tree->Build(boxes, leafSize);
-  this->Order = tree->TakeOrder();
-  if (boxes.empty())
+  this->Cost = 0.0;
+  this->CostWhenBuilt = 0.0;
+  if (count == 0)
   {
     return;
   }
-  const Pairs pairs(*tree);
-  // Usually enough: growing would copy all nodes, and pages that stay empty take no memory.
-  nodes.reserve(tree->GetNodes().size() / 4 + 1);
-  struct Task
-  {
-    int Pair; // the binary node to convert
-    int From; // the parent node, and the slot in it
-    int Child;
-    int Depth;
-  };
-  std::vector<Task> open(1, Task{ 0, -1, 0, 1 });
+  vtkRelievoBoxRecords records(count, getBox, leafSize);
+  // The nodes of large ranges come first; subtrees below them follow.
+  std::vector<Node> top;
+  std::vector<Task> below;
+  std::vector<Task> open(1, Task{ records.GetAll(), vtkRelievoBoxRecords::GetFirstGrid() });
   while (!open.empty())
   {
-    const Task task = open.back();
-    open.pop_back();
-    const int index = static_cast<int>(nodes.size());
-    if (task.From >= 0)
+    std::vector<Task> large;
+    for (const Task& task : open)
     {
-      nodes[task.From].Child[task.Child] = index;
+      (task.Range.Count > InASubtree ? large : below).push_back(task);
     }
-    this->Stack = std::max(this->Stack, (Width - 1) * task.Depth + Width);
-    int children[Width] = { task.Pair };
-    int count = 1;
-    for (bool opened = true; opened && count < Width;)
+    const std::size_t first = top.size();
+    top.resize(first + large.size());
+    std::vector<std::vector<Task>> children(large.size());
+    ForEach(large.size(), [&](std::size_t i) {
+      children[i] =
+        MakeNode(records, large[i], leafSize, static_cast<int>(first + i), top[first + i]);
+    });
+    open.clear();
+    for (std::size_t i = 0; i < large.size(); ++i)
     {
-      int largest = -1;
-      for (int i = 0; i < count; ++i)
+      if (large[i].Parent >= 0)
       {
-        if (!pairs.IsLeaf(children[i]) &&
-          (largest < 0 || pairs.GetSize(children[i]) > pairs.GetSize(children[largest])))
-        {
-          largest = i;
-        }
+        top[large[i].Parent].Child[large[i].Child] = static_cast<int>(first + i);
       }
-      opened = largest >= 0;
-      if (opened)
-      {
-        const int pair = children[largest];
-        children[largest] = pair + 1;
-        children[count++] = pairs.GetRight(pair);
-      }
+      open.insert(open.end(), children[i].begin(), children[i].end());
     }
-    Node node{};
-    for (int i = 0; i < count; ++i)
-    {
-      if (pairs.IsLeaf(children[i]))
-      {
-        node.Child[i] = -1 - (Most * pairs.GetFirst(children[i]) + pairs.GetCount(children[i]) - 1);
-      }
-      else
-      {
-        open.push_back({ children[i], index, i, task.Depth + 1 });
-      }
-    }
-    for (int i = count; i < Width; ++i)
-    {
-      node.Child[i] = 0; // no box: never hit
-    }
-    nodes.push_back(node);
   }
-  tree.reset(); // before nodes are copied
-  nodes.shrink_to_fit();
+  // Nodes are kept in parts: one array would be copied whenever it grows.
+  std::vector<std::vector<Node>> parts;
+  std::size_t made = top.size();
+  double areas = 0.0;
+  int depth = 0;
+  Box whole = Nowhere();
+  // Enough for any subtree, whose nodes have two leaves or seven further nodes at least.
+  const std::size_t most = static_cast<std::size_t>(
+    std::max(std::min(count, InASubtree), count / static_cast<int>(OfAll)) / leafSize + 1);
+  for (std::size_t begin = 0; begin < below.size(); begin += AtOnce)
+  {
+    std::vector<Subtree> subtrees(std::min(AtOnce, below.size() - begin));
+    ForEach(subtrees.size(),
+      [&](std::size_t i) { MakeSubtree(records, below[begin + i], leafSize, subtrees[i]); });
+    for (std::size_t i = 0; i < subtrees.size(); ++i)
+    {
+      const Task& task = below[begin + i];
+      const Subtree& subtree = subtrees[i];
+      if (task.Parent >= 0)
+      {
+        top[task.Parent].Child[task.Child] = static_cast<int>(made);
+        SetBox(top[task.Parent], task.Child, subtree.Whole);
+      }
+      if (parts.empty() || parts.back().size() + subtree.Nodes.size() > parts.back().capacity())
+      {
+        parts.emplace_back();
+        parts.back().reserve(most);
+      }
+      for (Node node : subtree.Nodes)
+      {
+        for (int& child : node.Child)
+        {
+          child += child > 0 ? static_cast<int>(made) : 0;
+        }
+        parts.back().push_back(node);
+      }
+      made += subtree.Nodes.size();
+      areas += subtree.Areas;
+      depth = std::max(depth, subtree.Depth);
+      whole = subtree.Whole;
+    }
+  }
+  if (!top.empty())
+  {
+    double ofTop = 0.0;
+    whole = Fit(
+      top, [&](int position) { return records.GetBox(position); }, ofTop);
+    areas += ofTop;
+    for (const Task& task : below)
+    {
+      depth = std::max(depth, task.Depth);
+    }
+  }
+  this->Stack = (Width - 1) * depth + Width;
+  this->Order = records.TakeIndices();
+  std::vector<Node> nodes;
+  nodes.reserve(made);
+  nodes.insert(nodes.end(), top.begin(), top.end());
+  for (std::vector<Node>& part : parts)
+  {
+    nodes.insert(nodes.end(), part.begin(), part.end());
+    std::vector<Node>().swap(part);
+  }
   this->Nodes.Set(std::move(nodes));
-  this->Fit(boxes);
+  const double root = GetHalfArea(whole);
+  this->Cost = root > 0.0 ? areas / root : 0.0;
   this->CostWhenBuilt = this->Cost;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoWideTree::Build(const std::vector<Box>& boxes, int leafSize)
+{
+  this->Build(
+    static_cast<int>(boxes.size()), [&boxes](int i) { return boxes[i]; }, leafSize);
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoWideTree::Refit(const std::vector<Box>& boxes)
 {
-  this->Fit(boxes);
+  std::vector<Node> nodes = this->Nodes.Release();
+  double areas = 0.0;
+  const double root = GetHalfArea(Fit(
+    nodes,
+    [&](int position) { return boxes[this->Order.empty() ? position : this->Order[position]]; },
+    areas));
+  this->Nodes.Set(std::move(nodes));
+  this->Cost = root > 0.0 ? areas / root : 0.0;
   return this->Cost <= WornBy * this->CostWhenBuilt;
 }
 
 //------------------------------------------------------------------------------
-// Nodes come after their parents.
-void vtkRelievoWideTree::Fit(const std::vector<Box>& boxes)
+void vtkRelievoWideTree::SetBox(Node& node, int child, const Box& box)
 {
-  std::vector<Node> nodes = this->Nodes.Release();
-  std::vector<Box> whole(nodes.size());
-  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    node.Sides[axis][child] = box.Min[axis];
+    node.Sides[axis + 3][child] = box.Max[axis];
+  }
+}
+
+//------------------------------------------------------------------------------
+// Sets the boxes of nodes; those of children that are not among them are kept. Returns the box of
+// all, and the sum of their areas. Nodes come after their parents.
+template <typename GetLeafBox>
+vtkRelievoWideTree::Box vtkRelievoWideTree::Fit(
+  std::vector<Node>& nodes, GetLeafBox getBox, double& areas)
+{
+  std::vector<Box> whole(nodes.size(), Nowhere());
+  areas = 0.0;
   for (std::size_t n = nodes.size(); n-- > 0;)
   {
     Node& node = nodes[n];
-    whole[n] = Nowhere();
     for (int i = 0; i < Width; ++i)
     {
+      const int child = node.Child[i];
       Box box = Nowhere();
-      if (node.Child[i] < 0)
+      if (child < 0)
       {
-        const int leaf = -1 - node.Child[i];
+        const int leaf = -1 - child;
         for (int k = leaf / Most; k <= leaf / Most + leaf % Most; ++k)
         {
-          Join(box, boxes[this->Order.empty() ? k : this->Order[k]]);
+          Join(box, getBox(k));
         }
       }
-      else if (node.Child[i] > 0)
+      else if (static_cast<std::size_t>(child) >= nodes.size())
       {
-        box = whole[node.Child[i]];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          box.Min[axis] = node.Sides[axis][i];
+          box.Max[axis] = node.Sides[axis + 3][i];
+        }
       }
-      for (int axis = 0; axis < 3; ++axis)
+      else if (child > 0)
       {
-        node.Sides[axis][i] = box.Min[axis];
-        node.Sides[axis + 3][i] = box.Max[axis];
+        box = whole[child];
       }
+      SetBox(node, i, box);
       Join(whole[n], box);
-      sum += node.Child[i] == 0 ? 0.0 : GetHalfArea(box);
+      areas += child == 0 ? 0.0 : GetHalfArea(box);
     }
   }
-  const double root = nodes.empty() ? 0.0 : GetHalfArea(whole[0]);
-  this->Nodes.Set(std::move(nodes));
-  this->Cost = root > 0.0 ? sum / root : 0.0;
+  return nodes.empty() ? Nowhere() : whole[0];
 }
 
 //------------------------------------------------------------------------------

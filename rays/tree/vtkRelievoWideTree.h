@@ -16,9 +16,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
+class vtkRelievoBoxRecords;
 class vtkRelievoRayFileReader;
 class vtkRelievoRayFileWriter;
 
@@ -32,6 +34,12 @@ public:
 
   // Maximum number of boxes per leaf.
   static constexpr int Most = 4;
+  // Usual number of bytes that Build needs for each box: a record, and its share of nodes.
+  static constexpr double BytesToBuild = 16.0 + 17.0;
+
+  // The box of an index; called by several threads.
+  using GetBox = std::function<Box(int)>;
+  void Build(int count, const GetBox& getBox, int leafSize);
   void Build(const std::vector<Box>& boxes, int leafSize);
 
   // Refits the tree to moved boxes, whose number must be that of the last build. False if they have
@@ -42,7 +50,7 @@ public:
   const std::vector<int>& GetOrder() const { return this->Order; }
 
   // From now on boxes are given in the order of the leaves.
-  void TakeOrderForGiven() { std::vector<int>().swap(this->Order); }
+  std::vector<int> TakeOrder() { return std::exchange(this->Order, {}); }
 
   // The enlarged box between two positions.
   static Box Around(const glm::dvec3& low, const glm::dvec3& high)
@@ -199,7 +207,15 @@ private:
   {
     this->FindWithinBy(spaces, count, visit);
   }
-  void Fit(const std::vector<Box>& boxes);
+  struct Task;
+  struct Subtree;
+  static std::vector<Task> MakeNode(
+    vtkRelievoBoxRecords& records, Task task, int leafSize, int index, Node& node);
+  static void MakeSubtree(
+    vtkRelievoBoxRecords& records, const Task& task, int leafSize, Subtree& subtree);
+  static void SetBox(Node& node, int child, const Box& box);
+  template <typename GetLeafBox>
+  static Box Fit(std::vector<Node>& nodes, GetLeafBox getBox, double& areas);
 
   static bool Avx2;
   vtkRelievoStoredArray<Node> Nodes;
