@@ -25,7 +25,11 @@
 #include <cmath>
 #include <exception>
 #include <locale>
+#include <new>
 #include <sstream>
+#include <string>
+
+#include <vtksys/SystemTools.hxx>
 
 vtkStandardNewMacro(vtkRelievoGeoTIFFReader);
 
@@ -198,6 +202,11 @@ vtkImageData* vtkRelievoGeoTIFFReader::GetImage()
         throw relievo::image::Failure("no name of a file is set");
       }
       this->Image = ReadRaster(name);
+    }
+    catch (const std::bad_alloc&)
+    {
+      problem = "it would take at least " + std::to_string(vtksys::SystemTools::FileLength(name)) +
+        " bytes, and memory ran out";
     }
     catch (const std::exception& error)
     {

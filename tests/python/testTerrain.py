@@ -4,6 +4,7 @@
 gdal_viewshed; GeoTIFF with GDAL."""
 
 import math
+import os
 import pathlib
 import random
 import resource
@@ -460,7 +461,7 @@ class Files(Folder):
         before = resource.getrlimit(resource.RLIMIT_AS)
         for mebibytes, call in (
             (24, lambda: relievo.terrain(level, UTM)),  # 80 bytes for each cell
-            (40, lambda: relievo.viewshed(terrain, (UTM[2] + 15, UTM[5] - 15, 1))),  # 164
+            (30, lambda: relievo.viewshed(terrain, (UTM[2] + 15, UTM[5] - 15, 1))),  # 114
         ):
             pages = int(pathlib.Path("/proc/self/statm").read_text().split()[0])
             taken = pages * resource.getpagesize()
@@ -470,6 +471,21 @@ class Files(Folder):
                     call()
             finally:
                 resource.setrlimit(resource.RLIMIT_AS, before)
+
+    @unittest.skipUnless(sys.platform == "linux", "RLIMIT_AS")
+    def test_lack_of_memory_for_file(self):
+        """A file that does not fit is refused with its size."""
+        path = self.write("large.tif", hills(30, 40).astype(numpy.float32))
+        os.truncate(path, 400 << 20)  # a hole
+        before = resource.getrlimit(resource.RLIMIT_AS)
+        pages = int(pathlib.Path("/proc/self/statm").read_text().split()[0])
+        taken = pages * resource.getpagesize()
+        resource.setrlimit(resource.RLIMIT_AS, (taken + (100 << 20), before[1]))
+        try:
+            with self.assertRaisesRegex(MemoryError, "take at least 419430400 bytes, and memory"):
+                relievo.terrain(path)
+        finally:
+            resource.setrlimit(resource.RLIMIT_AS, before)
 
     def test_damaged(self):
         """Cut files, and files with changed bytes, are read or refused."""
