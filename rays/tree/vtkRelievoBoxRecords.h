@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Boxes on a grid, 16 bytes each, that are sorted in place while a tree is built: ranges of them are
+// Boxes on a grid, 16 bytes each, that are sorted in place while a tree is built: their ranges are
 // split by the surface area heuristic.
 //
 // The left part of each split has a multiple of the number of boxes in a leaf: all leaves but the
