@@ -314,11 +314,12 @@ void vtkRelievoSceneFingerprint::Take(
   const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
 {
   State now = this->Make(context, stages);
-  if (IsNear(now.Projection, this->Kept.Projection))
+  if (IsNear(now.Projection, this->Stored.Projection))
   {
-    now.Projection = this->Kept.Projection; // unchanged, so that small steps of many frames add up
+    now.Projection =
+      this->Stored.Projection; // unchanged, so that small steps of many frames add up
   }
-  this->Kept = std::move(now);
+  this->Stored = std::move(now);
 }
 
 //------------------------------------------------------------------------------
@@ -326,11 +327,11 @@ bool vtkRelievoSceneFingerprint::IsOf(
   const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
 {
   const std::vector<std::uint64_t> first = this->MakeFirst(context);
-  const std::vector<std::uint64_t>& kept = this->Kept.Values;
-  if (kept.size() < first.size() || !std::equal(first.begin(), first.end(), kept.begin()))
+  const std::vector<std::uint64_t>& stored = this->Stored.Values;
+  if (stored.size() < first.size() || !std::equal(first.begin(), first.end(), stored.begin()))
   {
     return false; // the view has changed, so the props need no check
   }
   const State now = this->Make(context, stages);
-  return now.Values == this->Kept.Values && IsNear(now.Projection, this->Kept.Projection);
+  return now.Values == this->Stored.Values && IsNear(now.Projection, this->Stored.Projection);
 }

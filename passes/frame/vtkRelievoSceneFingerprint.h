@@ -25,7 +25,7 @@ public:
   bool IsOf(const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages);
 
   // Clears the stored state, so that no frame matches.
-  void Clear() { this->Kept = State(); }
+  void Clear() { this->Stored = State(); }
 
 private:
   struct State
@@ -37,7 +37,7 @@ private:
   std::vector<std::uint64_t> MakeFirst(const vtkRelievoFrameContext& context);
   State Make(const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages);
 
-  State Kept;
+  State Stored;
   vtkRelievoRendererChanges Changes;
 };
 

@@ -96,7 +96,7 @@ void vtkRelievoVolumeTarget::Attach(int volume)
 void vtkRelievoVolumeTarget::Begin(vtkRelievoFrameContext& context)
 {
   vtkOpenGLState* state = context.Window->GetState();
-  this->Kept.reset(new vtkRelievoScopedState(state));
+  this->SavedState.reset(new vtkRelievoScopedState(state));
   this->Framebuffer->Bind();
   state->vtkglViewport(0, 0, this->Area[2], this->Area[3]);
   state->vtkglScissor(0, 0, this->Area[2], this->Area[3]);
@@ -121,7 +121,7 @@ void vtkRelievoVolumeTarget::Select(int volume)
 //------------------------------------------------------------------------------
 void vtkRelievoVolumeTarget::End()
 {
-  this->Kept.reset();
+  this->SavedState.reset();
 }
 
 //------------------------------------------------------------------------------

@@ -61,7 +61,7 @@ private:
   std::vector<std::array<vtkSmartPointer<vtkTextureObject>, Textures>> Volumes;
   vtkSmartPointer<vtkTextureObject> Depth;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
-  std::unique_ptr<vtkRelievoScopedState> Kept;
+  std::unique_ptr<vtkRelievoScopedState> SavedState;
   int Area[4] = { 0, 0, 0, 0 };
 };
 

@@ -136,7 +136,7 @@ void vtkRelievoScreenTarget::Begin(vtkRelievoFrameContext& context, float value,
 void vtkRelievoScreenTarget::GoOn(vtkRelievoFrameContext& context)
 {
   vtkOpenGLState* state = context.Window->GetState();
-  this->Kept.reset(new vtkRelievoScopedState(state));
+  this->SavedState.reset(new vtkRelievoScopedState(state));
   this->Framebuffer->Bind();
   this->Framebuffer->ActivateDrawBuffer(0);
   state->vtkglViewport(0, 0, this->Area[2], this->Area[3]);
@@ -151,7 +151,7 @@ void vtkRelievoScreenTarget::GoOn(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 void vtkRelievoScreenTarget::End()
 {
-  this->Kept.reset();
+  this->SavedState.reset();
 }
 
 //------------------------------------------------------------------------------
@@ -216,7 +216,7 @@ vtkIdType vtkRelievoScreenTarget::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkRelievoScreenTarget::Release(vtkWindow* window)
 {
-  this->Kept.reset();
+  this->SavedState.reset();
   for (auto* texture : { &this->Texture, &this->Depth })
   {
     if (*texture && window)

@@ -82,7 +82,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Texture;
   vtkSmartPointer<vtkTextureObject> Depth;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
-  std::unique_ptr<vtkRelievoScopedState> Kept;
+  std::unique_ptr<vtkRelievoScopedState> SavedState;
 };
 
 #endif

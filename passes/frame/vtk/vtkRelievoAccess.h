@@ -103,25 +103,25 @@ public:
     Props(vtkRenderer* ren, vtkProp** props, int count)
       : Owner(ren)
 #ifdef RELIEVO_VTK_PROP_VECTOR
-      , Kept(props, props + count)
+      , Previous(props, props + count)
     {
-      (ren->*(&Renderer::PropArray)).swap(this->Kept);
+      (ren->*(&Renderer::PropArray)).swap(this->Previous);
     }
     ~Props()
     {
-      (this->Owner->*(&Renderer::PropArray)).swap(this->Kept);
+      (this->Owner->*(&Renderer::PropArray)).swap(this->Previous);
     }
 #else
-      , Kept(ren->*(&Renderer::PropArray))
-      , KeptCount(ren->*(&Renderer::PropArrayCount))
+      , Previous(ren->*(&Renderer::PropArray))
+      , PreviousCount(ren->*(&Renderer::PropArrayCount))
     {
       ren->*(&Renderer::PropArray) = props;
       ren->*(&Renderer::PropArrayCount) = count;
     }
     ~Props()
     {
-      this->Owner->*(&Renderer::PropArray) = this->Kept;
-      this->Owner->*(&Renderer::PropArrayCount) = this->KeptCount;
+      this->Owner->*(&Renderer::PropArray) = this->Previous;
+      this->Owner->*(&Renderer::PropArrayCount) = this->PreviousCount;
     }
 #endif
     Props(const Props&) = delete;
@@ -130,10 +130,10 @@ public:
   private:
     vtkRenderer* Owner;
 #ifdef RELIEVO_VTK_PROP_VECTOR
-    std::vector<vtkProp*> Kept;
+    std::vector<vtkProp*> Previous;
 #else
-    vtkProp** Kept;
-    int KeptCount;
+    vtkProp** Previous;
+    int PreviousCount;
 #endif
   };
 };
@@ -161,12 +161,12 @@ public:
     Projection(vtkCamera* camera, vtkMatrix4x4* matrix)
       : Owner(camera)
       , Matrix(matrix)
-      , Kept(camera->*(&Camera::ExplicitProjectionTransformMatrix))
+      , Previous(camera->*(&Camera::ExplicitProjectionTransformMatrix))
       , Used(camera->GetUseExplicitProjectionTransformMatrix())
     {
       this->Set(matrix, true);
     }
-    ~Projection() { this->Set(this->Kept, this->Used); }
+    ~Projection() { this->Set(this->Previous, this->Used); }
     Projection(const Projection&) = delete;
     Projection& operator=(const Projection&) = delete;
 
@@ -190,7 +190,7 @@ public:
 
     vtkCamera* Owner;
     vtkSmartPointer<vtkMatrix4x4> Matrix;
-    vtkMatrix4x4* Kept;
+    vtkMatrix4x4* Previous;
     bool Used;
   };
 };

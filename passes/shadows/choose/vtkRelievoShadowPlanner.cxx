@@ -30,7 +30,7 @@ struct Costs
 constexpr Costs Software = { 6e-5, 1.3e-4, 0.02, 1.8e-6, 5e-6, 0.3, 3.5e-6, 1.2e-5, 1.5 };
 constexpr Costs Hardware = { 5e-7, 1e-6, 0.01, 4e-8, 2e-7, 0.1, 5e-7, 2e-7, 0.1 };
 
-constexpr double Kept = 0.1; // share of tracing while neither view nor casters move
+constexpr double CachedShare = 0.1; // share of tracing while neither view nor casters move
 
 constexpr std::size_t Remembered = 9; // frames
 constexpr std::size_t Enough = 5;     // frames of a choice; with fewer, those of others are used
@@ -79,7 +79,8 @@ double vtkRelievoShadowPlanner::Model(const Choice& choice, const SceneCost& cos
   if (choice.Method == vtkRelievoShadowMethods::EXACT)
   {
     const double trace = costs.Trace * cost.Lights * std::log2(2.0 + std::max(0.0, cost.Triangles));
-    return time + (redraws ? 1.0 : Kept) * (costs.Passes + (costs.Start + trace) * cost.Pixels);
+    return time +
+      (redraws ? 1.0 : CachedShare) * (costs.Passes + (costs.Start + trace) * cost.Pixels);
   }
   time += costs.Lookup * cost.Pixels * cost.Lights;
   const double pieces = choice.Method == vtkRelievoShadowMethods::WARPED ? 1.0 + costs.Piece : 1.0;

@@ -72,7 +72,7 @@ bool vtkRelievoForwardMasks::Allocate(
 void vtkRelievoForwardMasks::Begin()
 {
   vtkOpenGLState* state = this->Window->GetState();
-  this->Kept.reset(new vtkRelievoScopedState(state));
+  this->SavedState.reset(new vtkRelievoScopedState(state));
   this->Framebuffer->Bind();
   state->vtkglViewport(0, 0, this->Width, this->Height);
   state->vtkglScissor(0, 0, this->Width, this->Height);
@@ -94,7 +94,7 @@ void vtkRelievoForwardMasks::DrawTo(unsigned int buffer)
 //------------------------------------------------------------------------------
 void vtkRelievoForwardMasks::End()
 {
-  this->Kept.reset();
+  this->SavedState.reset();
 }
 
 //------------------------------------------------------------------------------

@@ -66,7 +66,7 @@ private:
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
-  std::unique_ptr<vtkRelievoScopedState> Kept; // between Begin and End
+  std::unique_ptr<vtkRelievoScopedState> SavedState; // between Begin and End
   vtkSmartPointer<vtkTextureObject> Depth;
   vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
   glm::dmat4 WorldToView{ 1.0 };

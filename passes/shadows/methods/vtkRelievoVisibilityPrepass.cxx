@@ -92,7 +92,7 @@ int vtkRelievoVisibilityPrepass::GetMostLights() const
 void vtkRelievoVisibilityPrepass::BeginDrawing(unsigned int target, int width, int height)
 {
   vtkOpenGLState* state = this->Window->GetState();
-  this->Kept.reset(new vtkRelievoScopedState(state));
+  this->SavedState.reset(new vtkRelievoScopedState(state));
   this->Framebuffer->Bind();
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
   // VTK caches the buffers of the previously bound framebuffer and may skip changes.
@@ -113,7 +113,7 @@ void vtkRelievoVisibilityPrepass::BeginDrawing(unsigned int target, int width, i
 void vtkRelievoVisibilityPrepass::EndDrawing()
 {
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
-  this->Kept.reset();
+  this->SavedState.reset();
 }
 
 //------------------------------------------------------------------------------

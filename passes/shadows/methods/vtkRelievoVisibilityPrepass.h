@@ -126,8 +126,8 @@ private:
   bool Checked = false;
   unsigned int Textures[Count] = {};
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
-  std::unique_ptr<vtkRelievoScopedState> Kept; // while drawing
-  std::vector<double> SurfacesDrawn;           // state of the present data; empty: none
+  std::unique_ptr<vtkRelievoScopedState> SavedState; // while drawing
+  std::vector<double> SurfacesDrawn;                 // state of the present data; empty: none
   std::vector<double> VerdictsDrawn;
   std::vector<double> LightsOfVerdicts;
   double VersionOfVerdicts = 0.0;
