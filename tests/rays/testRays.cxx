@@ -1133,7 +1133,7 @@ void TestMemory()
   }
   RELIEVO_CHECK(!done && scene->GetNumberOfTriangles() == 0);
 #ifndef __SANITIZE_ADDRESS__ // which needs more
-  leave(90. * Triangles);
+  leave(78. * Triangles);
   done = scene->FindAny(down.Origins, down.Directions, hit);
   setrlimit(RLIMIT_AS, &before);
 #else
