@@ -137,7 +137,7 @@ bool vtkRelievoRayScene::Internals::SetMeshes(bool opaqueOnly)
   }
   catch (const std::bad_alloc&) // its peak depends on the mesh
   {
-    return this->Refuse("it would take at least " + std::to_string(static_cast<long long>(bytes)) +
+    return this->Refuse("it would take about " + std::to_string(static_cast<long long>(bytes)) +
       " bytes, and memory ran out");
   }
 }

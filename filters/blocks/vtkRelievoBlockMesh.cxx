@@ -120,7 +120,7 @@ void AddLabels(int type, const char* name, vtkIdType faces, int cellsPerFace, vt
   output->GetCellData()->AddArray(array);
 }
 
-// Copies the tuples of the points to keep.
+// Copies the tuples of the selected points.
 template <typename T>
 void CopyTuples(const T* from, int components, const Selection& points, T* to)
 {

@@ -10,6 +10,7 @@
 #include "vtkRelievoOBJText.h"
 
 #include <exception>
+#include <new>
 
 vtkStandardNewMacro(vtkRelievoOBJReader);
 
@@ -76,7 +77,11 @@ int vtkRelievoOBJReader::RequestData(
   {
     refuse(refusal.Code, refusal.Text);
   }
-  catch (const std::exception& thrown) // out of memory
+  catch (const std::bad_alloc&)
+  {
+    refuse(vtkErrorCode::OutOfDiskSpaceError, "memory ran out");
+  }
+  catch (const std::exception& thrown)
   {
     refuse(vtkErrorCode::OutOfDiskSpaceError, thrown.what());
   }

@@ -10,6 +10,7 @@
 #include "vtkRelievoPLYText.h"
 
 #include <exception>
+#include <new>
 
 vtkStandardNewMacro(vtkRelievoPLYReader);
 
@@ -66,7 +67,11 @@ int vtkRelievoPLYReader::RequestData(
   {
     refuse(refusal.Code, refusal.Text);
   }
-  catch (const std::exception& thrown) // out of memory
+  catch (const std::bad_alloc&)
+  {
+    refuse(vtkErrorCode::OutOfDiskSpaceError, "memory ran out");
+  }
+  catch (const std::exception& thrown)
   {
     refuse(vtkErrorCode::OutOfDiskSpaceError, thrown.what());
   }

@@ -224,7 +224,7 @@ void SetGroundColor(vtkActor* ground, const double color[3])
     for (int i = 0; i < 3; ++i)
     {
       catcher->SetTypedComponent(point, i, static_cast<float>(color[i]));
-      colors->SetTypedComponent(point, i, MakeByte(color[i] * contact));
+      colors->SetTypedComponent(point, i, MakeByte(catcher->GetTypedComponent(point, i) * contact));
     }
   }
   catcher->Modified();

@@ -153,7 +153,7 @@ double GroundSky::GetHidden(const std::array<double, 3>& point, double turn) con
   int hidden = 0;
   for (int direction = 0; direction < Directions; ++direction)
   {
-    const double angle = 2.0 * vtkMath::Pi() * (direction + turn) / Directions;
+    const double angle = 2.0 * vtkMath::Pi() * (direction + 0.125 + turn) / Directions;
     const std::array<double, 2> along = { std::cos(angle), std::sin(angle) };
     // Distances in cells at which the way enters and leaves the grid.
     double first = 0.5;

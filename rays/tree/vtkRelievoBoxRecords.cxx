@@ -55,7 +55,7 @@ int RoundDown(float value)
 //------------------------------------------------------------------------------
 RELIEVO_INLINED vtkRelievoEight vtkRelievoBoxRecords::GetSides(const Record& record)
 {
-  return Eight::Load(record.Sides); // and the index, which is not used
+  return Eight::Load(&record); // and the index, which is not used
 }
 
 //------------------------------------------------------------------------------

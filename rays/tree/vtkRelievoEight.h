@@ -11,6 +11,7 @@
 #include <emmintrin.h>
 #else
 #include <algorithm>
+#include <cstring>
 #endif
 
 #if defined(__SSE2__)
@@ -23,9 +24,9 @@ struct vtkRelievoEight
     return { _mm_set1_epi16(static_cast<std::int16_t>(value)) };
   }
   // From and to memory aligned to 16 bytes.
-  static vtkRelievoEight Load(const std::int16_t* from)
+  static vtkRelievoEight Load(const void* from)
   {
-    return { _mm_load_si128(reinterpret_cast<const __m128i*>(from)) };
+    return { _mm_load_si128(static_cast<const __m128i*>(from)) };
   }
   void Store(std::int16_t* to) const { _mm_store_si128(reinterpret_cast<__m128i*>(to), this->X); }
   // The numbers from the fourth one on, and zeros.
@@ -73,9 +74,11 @@ struct vtkRelievoEight
   {
     return Make([&](int) { return value; });
   }
-  static vtkRelievoEight Load(const std::int16_t* from)
+  static vtkRelievoEight Load(const void* from)
   {
-    return Make([&](int i) { return from[i]; });
+    vtkRelievoEight made;
+    std::memcpy(made.X, from, sizeof(made.X));
+    return made;
   }
   void Store(std::int16_t* to) const { std::copy_n(this->X, 8, to); }
   vtkRelievoEight FromFourth() const

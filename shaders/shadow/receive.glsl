@@ -232,7 +232,7 @@ RELIEVO_LIGHT_OF_VTK
     float direct = max(share - relievoCatcherShare(relievoOthers[i], all), 0.0);
     // In linear light the hidden part of the sky is missing from all light but the casting lights'.
     float whole = pow(share, 2.2);
-    float left = whole - relievoCatches.a * (whole - pow(direct, 2.2));
+    float left = max(whole - relievoCatches.a * (whole - pow(direct, 2.2)), 0.0);
     relievoDirectLight[i] = min(pow(direct, 2.2) / max(left, 1e-6), 1.0);
     gl_FragData[0][i] = ambientColor[i] * pow(left, 1.0 / 2.2);
   }

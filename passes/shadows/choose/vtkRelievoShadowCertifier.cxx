@@ -83,8 +83,7 @@ std::string ExchangeCasters(vtkRelievoMeshExchange& others,
     }
   }
   part.InMaps = unfollowed;
-  const std::string fault = others.Share(part, false);
-  return fault.empty() ? others.Confirm(fault) : fault;
+  return others.Share(part, false);
 }
 
 // Draws the layers with the renderer alone, into a framebuffer of the frame; returns an error, or
@@ -159,13 +158,28 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
   picture.Work.WithoutVolumes = false;
   // Processes draw together: all of them twice, whoever has the volumes.
   const bool volumes = picture.Work.Others.IsOn() || !picture.Work.Props.GetVolumeCasters().empty();
-  if (fault.empty() && volumes)
+  if (volumes && (fault.empty() || picture.Work.Others.IsOn()))
   {
-    fault = DrawLayers(picture.Renderer, picture.Frame, layers, dimmed);
+    const std::string second = DrawLayers(picture.Renderer, picture.Frame, layers, dimmed);
+    fault = fault.empty() ? second : fault;
   }
   if (fault.empty() && casting.size() != count)
   {
     fault = "other lights cast now";
+  }
+  vtkRelievoShadowCertifier certifier;
+  certifier.Attenuates = picture.Method->Traces();
+  // Maps treat translucent casters as opaque.
+  std::vector<vtkRelievoSurface> surfaces =
+    picture.Work.Props.CollectSurfaces(certifier.Attenuates, certifier.Unfollowed);
+  vtkRelievoMeshExchange exchanged = picture.Work.Others;
+  // With rays, all processes have exchanged their casters. With maps all call this, also those that
+  // have failed.
+  if (exchanged.IsOn() && !certifier.Attenuates)
+  {
+    exchanged.Clear();
+    const std::string lack = ExchangeCasters(exchanged, surfaces, certifier.Unfollowed);
+    fault = fault.empty() ? lack : fault;
   }
   if (!fault.empty())
   {
@@ -175,9 +189,7 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
     auto* array = vtkFloatArray::SafeDownCast(from->GetPointData()->GetArray(layer.c_str()));
     return array ? array->GetPointer(0) : nullptr;
   };
-  vtkRelievoShadowCertifier certifier;
   certifier.View = picture.Work.View;
-  certifier.Attenuates = picture.Method->Traces();
   certifier.Lights = casting;
   certifier.Depth = read(image, DepthLayer);
   certifier.CoarseDepth = AreHalf(certifier.Depth, image->GetNumberOfPoints());
@@ -186,21 +198,8 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
     certifier.Visibility.push_back(read(image, layers[i]));
     certifier.Dimmed.push_back(volumes ? read(dimmed, layers[i]) : nullptr);
   }
-  // Maps treat translucent casters as opaque.
-  std::vector<vtkRelievoSurface> surfaces =
-    picture.Work.Props.CollectSurfaces(certifier.Attenuates, certifier.Unfollowed);
-  vtkRelievoMeshExchange exchanged = picture.Work.Others;
   if (exchanged.IsOn())
   {
-    if (!certifier.Attenuates) // else all processes have exchanged their casters
-    {
-      exchanged.Clear();
-      fault = ExchangeCasters(exchanged, surfaces, certifier.Unfollowed);
-    }
-    if (!fault.empty())
-    {
-      return nullptr;
-    }
     AddOthers(exchanged, surfaces);
     const std::vector<vtkRelievoBox>& boxes = exchanged.GetWhole().InMaps;
     certifier.Unfollowed.insert(certifier.Unfollowed.end(), boxes.begin(), boxes.end());
