@@ -683,11 +683,12 @@ void vtkRelievoDatasetWriter::WriteViews()
     }
     return shot;
   };
+  bool isSingle = false; // views drawn together have failed
   // This view, and those after it that have no record and are drawn together with it.
   const auto findShots = [&](int i) {
     std::vector<dataset::DatasetShot> shots = { describe(i) };
     const std::size_t most =
-      this->SceneVaries ? 1 : painter.GetNumberTogether(shots.front().Camera);
+      this->SceneVaries || isSingle ? 1 : painter.GetNumberTogether(shots.front().Camera);
     const int* size = shots.front().Camera->GetSize();
     for (int next = i + 1; next < end && shots.size() < most; ++next)
     {
@@ -739,7 +740,21 @@ void vtkRelievoDatasetWriter::WriteViews()
       }
       if (drawn.empty())
       {
-        std::vector<dataset::DatasetView> together = painter.Draw(findShots(i));
+        const std::vector<dataset::DatasetShot> shots = findShots(i);
+        std::vector<dataset::DatasetView> together;
+        try
+        {
+          together = painter.Draw(shots);
+        }
+        catch (const words::WorkError&)
+        {
+          if (shots.size() == 1)
+          {
+            throw;
+          }
+          isSingle = true; // one needs less memory, and those before a failing one are written
+          together = painter.Draw({ shots.front() });
+        }
         std::move(together.begin(), together.end(), std::back_inserter(drawn));
       }
       beyond += dataset::WriteDatasetView(style, drawn.front(), objects, camera, number, record);

@@ -38,9 +38,9 @@ vtkRelievoEnvironment::vtkRelievoEnvironment()
   list
     .AddFlag(
       "gamma_correct", this->GammaCorrect, [this](bool on) { this->SetGammaCorrect(on); },
-      "Whether colours in the picture encode light by a power of 1/2.2, so that photographs look "
-      "as they do elsewhere. If off, light is shown unchanged, except on PBR surfaces, whose "
-      "colours are always encoded.")
+      "Whether the picture is gamma-corrected by a power of 1/2.2, so that photographs look as "
+      "they do elsewhere. If off, light is shown unchanged, except on PBR surfaces, which VTK "
+      "always corrects.")
     .Advanced = true;
 }
 
