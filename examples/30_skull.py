@@ -39,7 +39,7 @@ def main():
         skull = relievo.scene(
             path, image="volume", size=SIZE, preset="studio",
             opacity_curve=f"{BONE - 0.4}/0,{BONE}/0.3,{BONE + 1}/0.9",
-            colormap="#8a6a4a,#e8d8b8,#fff8ea", range=(BONE - 0.4, BONE + 1.2))  # fmt: skip
+            colormap="#6e5238,#b4a283,#cfc6b4", range=(BONE - 0.4, BONE + 1.2))  # fmt: skip
         skull.render(folder / "skull.png")
         image = relievo.capture(skull.renderer, ["volume_depth"], size=SIZE)
         relievo.write_png(folder / "skull_depth.png", image, "volume_depth")
