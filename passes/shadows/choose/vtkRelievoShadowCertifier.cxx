@@ -71,8 +71,10 @@ void AddOthers(const vtkRelievoMeshExchange& others, std::vector<vtkRelievoSurfa
 }
 
 // Maps are merged without the casters of other processes: these are exchanged for the rays alone.
+// `fault`: this process's error, of which all processes learn. Returns an error if any has one.
 std::string ExchangeCasters(vtkRelievoMeshExchange& others,
-  const std::vector<vtkRelievoSurface>& surfaces, const std::vector<vtkRelievoBox>& unfollowed)
+  const std::vector<vtkRelievoSurface>& surfaces, const std::vector<vtkRelievoBox>& unfollowed,
+  const std::string& fault)
 {
   vtkRelievoMeshPart part;
   for (const vtkRelievoSurface& surface : surfaces)
@@ -83,7 +85,8 @@ std::string ExchangeCasters(vtkRelievoMeshExchange& others,
     }
   }
   part.InMaps = unfollowed;
-  return others.Share(part, false);
+  const std::string declined = others.Share(part, false);
+  return declined.empty() ? others.Confirm(fault) : declined;
 }
 
 // Draws the layers with the renderer alone, into a framebuffer of the frame; returns an error, or
@@ -160,8 +163,8 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
   const bool volumes = picture.Work.Others.IsOn() || !picture.Work.Props.GetVolumeCasters().empty();
   if (volumes && (fault.empty() || picture.Work.Others.IsOn()))
   {
-    const std::string second = DrawLayers(picture.Renderer, picture.Frame, layers, dimmed);
-    fault = fault.empty() ? second : fault;
+    const std::string again = DrawLayers(picture.Renderer, picture.Frame, layers, dimmed);
+    fault = fault.empty() ? again : fault;
   }
   if (fault.empty() && casting.size() != count)
   {
@@ -173,13 +176,10 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
   std::vector<vtkRelievoSurface> surfaces =
     picture.Work.Props.CollectSurfaces(certifier.Attenuates, certifier.Unfollowed);
   vtkRelievoMeshExchange exchanged = picture.Work.Others;
-  // With rays, all processes have exchanged their casters. With maps all call this, also those that
-  // have failed.
-  if (exchanged.IsOn() && !certifier.Attenuates)
+  if (exchanged.IsOn() && !certifier.Attenuates) // rays have exchanged them for the picture
   {
     exchanged.Clear();
-    const std::string lack = ExchangeCasters(exchanged, surfaces, certifier.Unfollowed);
-    fault = fault.empty() ? lack : fault;
+    fault = ExchangeCasters(exchanged, surfaces, certifier.Unfollowed, fault);
   }
   if (!fault.empty())
   {
