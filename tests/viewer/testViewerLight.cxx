@@ -812,8 +812,12 @@ private Q_SLOTS:
     this->Type("timezone", 2.0);
     QCOMPARE(this->GetLights()[0], std::string("sun:2026-06-21T12:00+02:00,48,11.6"));
     QVERIFY2(!says().contains("longitude"), qPrintable(says()));
-    this->Type("longitude", 100.0);
-    QCOMPARE(this->GetLights()[0], std::string("sun:2026-06-21T12:00+02:00,48,100"));
+    for (const char* longitude : { "30", "45" }) // the zone of 30 degrees, and another one
+    {
+      this->Type("longitude", std::atof(longitude));
+      QCOMPARE(this->GetLights()[0], std::string("sun:2026-06-21T12:00+02:00,48,") + longitude);
+      QVERIFY2(!says().contains("longitude"), qPrintable(says()));
+    }
   }
 
   // A slider stands where its number is, also before it was ever moved.

@@ -253,6 +253,10 @@ void LightEdit::ShowSoftness(const look::LightChoice& light)
 void LightEdit::ShowSun(const look::LightChoice& light)
 {
   const QSignalBlocker quiet[] = { QSignalBlocker(this->Sun->By), QSignalBlocker(this->Sun->Date) };
+  if (light.Time && look::WriteSunTime(*light.Time) != look::WriteSunTime(this->Time))
+  {
+    this->OwnZone = light.Time->TimeZone != FindZone(light.Time->Longitude);
+  }
   this->Time = light.Time.value_or(this->Time);
   this->Sun->Date->setDate(QDate(this->Time.Year, this->Time.Month, this->Time.Day));
   this->Sun->Time->SetValue(this->Time.Hour);
@@ -276,8 +280,8 @@ void LightEdit::ShowWords()
   const double zone = this->Time.TimeZone;
   const QString words = relievoQt::SunEdit::WritePlace(
     this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue(), byPlace);
-  this->Sun->SetWords(!byPlace || zone != FindZone(this->Time.Longitude) ? words
-                                                                         : words +
+  this->Sun->SetWords(!byPlace || this->OwnZone ? words
+                                                : words +
         QString(" Clock: UTC%1%2 (from the longitude, no summer time).")
           .arg(zone < 0.0 ? QChar(0x2212) : QChar('+'))
           .arg(std::abs(zone)));
@@ -294,8 +298,8 @@ void LightEdit::WriteSun()
   else
   {
     const QDate date = this->Sun->Date->date();
-    if (this->Sun->Longitude->GetValue() != this->Time.Longitude &&
-      this->Time.TimeZone == FindZone(this->Time.Longitude)) // not typed
+    this->OwnZone = this->OwnZone || this->Sun->TimeZone->GetValue() != this->Time.TimeZone;
+    if (!this->OwnZone && this->Sun->Longitude->GetValue() != this->Time.Longitude)
     {
       this->Sun->TimeZone->SetValue(FindZone(this->Sun->Longitude->GetValue()));
     }

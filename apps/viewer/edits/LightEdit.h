@@ -75,7 +75,8 @@ private:
   int WordUp = -1;
   look::LightWords Words;
   look::LightChoice::Kind Kind = look::LightChoice::Kind::Sun;
-  look::SunTime Time; // for a sun by date and time
+  look::SunTime Time;   // for a sun by date and time
+  bool OwnZone = false; // the time zone was typed, or is not the longitude's
   QLineEdit* Name;
   ColorButton* Color;
   relievoQt::Number *Intensity, *Angle, *Radius;
