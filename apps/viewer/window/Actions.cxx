@@ -296,7 +296,7 @@ QString NameChanges(
 }
 
 //------------------------------------------------------------------------------
-// Appends the name of the setting that the step's edit changes, in the menu and the tool tip.
+// Appends the name of the setting or light that the step changes, in the menu and the tool tip.
 void NameStep(const MainWindow* window, QAction* action, const scene::Settings& before,
   const scene::Settings& after)
 {
