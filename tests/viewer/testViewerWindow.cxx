@@ -5,6 +5,7 @@
 #include "TestCase.h"
 #include "ViewerTest.h"
 
+#include "PathGroup.h"
 #include "Probe.h"
 #include "Scripts.h"
 
@@ -37,6 +38,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 
 #include <malloc.h>
 #include <unistd.h>
@@ -409,7 +411,7 @@ private Q_SLOTS:
     QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
     QCOMPARE(CountDifferent(this->Grab(), ReadPNG(this->Path("picture.png"))), 0);
     // With a camera path, it says where the film's command is, which draws the same frames.
-    auto* path = this->Window->findChild<QGroupBox*>("cameraPath");
+    auto* path = this->Window->findChild<viewer::PathGroup*>();
     QVERIFY(!path->findChild<QAbstractButton*>("copyFilm")->isEnabled());
     path->findChild<QAbstractButton*>("addView")->click();
     path->findChild<QWidget*>("seconds")->findChild<QDoubleSpinBox*>()->setValue(0.04);
@@ -427,6 +429,24 @@ private Q_SLOTS:
       QDir(shell.workingDirectory()).entryList({ "f*.png" }, QDir::Files, QDir::Name);
     QCOMPARE(frames.size(), 2);
     QCOMPARE(CountDifferent(this->Grab(), ReadPNG(this->Path(frames[1].toStdString()))), 0);
+    // An existing file stays, and nothing is drawn.
+    const std::string views = this->Path("camera-path.csv");
+    QVERIFY(std::ofstream(views) << "kept");
+    QFile::remove(QString::fromStdString(this->Path(frames[1].toStdString())));
+    shell.start("sh", { "-c", film });
+    QVERIFY(shell.waitForFinished(600000));
+    QVERIFY(shell.exitCode() != 0);
+    QVERIFY(!QFile::exists(QString::fromStdString(this->Path(frames[1].toStdString()))));
+    QFile file(QString::fromStdString(views));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("kept"));
+    // No film leads through opposite views, and so no command is copied.
+    path->SetKeys({ { 0.0, { { 0, 0, 9 }, { 0, 0, 0 }, { 0, 1, 0 } } },
+      { 1.0, { { 0, 0, -9 }, { 0, 0, 0 }, { 0, 1, 0 } } } });
+    const QString before = QApplication::clipboard()->text();
+    path->findChild<QAbstractButton*>("copyFilm")->click();
+    QCOMPARE(QApplication::clipboard()->text(), before);
+    QVERIFY(this->Window->GetTrouble().contains("180 degrees"));
   }
 
   // Colours of values are left out where no values are shown.

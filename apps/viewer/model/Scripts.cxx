@@ -119,7 +119,8 @@ std::string WriteFilmCommand(
 {
   scene::Settings rest = view;
   rest.Remove("--camera"); // the path's
-  std::string lines = "cat > camera-path.csv <<END\ntime,px,py,pz,fx,fy,fz,ux,uy,uz\n";
+  std::string lines = "(set -C; cat > camera-path.csv) <<END &&\n"
+                      "time,px,py,pz,fx,fy,fz,ux,uy,uz\n";
   for (const scene::CameraKey& key : keys)
   {
     std::vector<double> numbers = { key.Time };

@@ -17,7 +17,8 @@ namespace viewer
 /// `relievo render ...` for a shell, one line. `view`: settings with camera and size.
 std::string WriteCommand(const scene::Settings& view, const std::string& png);
 
-/// A shell's lines that write the views of a camera path to camera-path.csv and draw the film.
+/// A shell's lines that write the views of a camera path to a new camera-path.csv and draw the
+/// film.
 std::string WriteFilmCommand(
   const scene::Settings& view, const std::vector<scene::CameraKey>& keys, const std::string& film);
 

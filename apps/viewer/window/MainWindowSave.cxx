@@ -269,17 +269,25 @@ void MainWindow::ConnectPath()
     }
   });
   QObject::connect(this->Path, &PathGroup::viewWanted, this, [this](const look::CameraPlace& view) {
-    this->Shown->GetPicture().Place(view);
-    this->Shown->Draw();
+    this->Shown->Change([view](Picture& picture) { picture.Place(view); });
   });
   QObject::connect(
     this->Path, &PathGroup::refused, this, [this](const QString& why) { this->Say(why, true); });
   QObject::connect(this->Path, &PathGroup::copyWanted, this, [this] {
-    if (!this->Shown->IsEmpty())
+    try
     {
-      QApplication::clipboard()->setText(QString::fromStdString(
-        WriteFilmCommand(this->GetCopiedSettings(), this->Path->GetKeys(), "film.mp4")));
-      this->Say("Copied: the command that makes this film");
+      if (!this->Shown->IsEmpty())
+      {
+        scene::CameraPath(this->Path->GetKeys(), "Camera path")
+          .GetTimes(scene::MotionChoice().FramesPerSecond); // throws if no film can be drawn
+        QApplication::clipboard()->setText(QString::fromStdString(
+          WriteFilmCommand(this->GetCopiedSettings(), this->Path->GetKeys(), "film.mp4")));
+        this->Say("Copied: the command that makes this film");
+      }
+    }
+    catch (const std::exception& error)
+    {
+      this->Say(QString::fromStdString(error.what()), true);
     }
   });
   QObject::connect(this->Path, &PathGroup::filmWanted, this, [this] {
