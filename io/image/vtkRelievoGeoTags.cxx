@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoGeoTags.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <system_error>
 
 namespace relievo::image
 {
@@ -78,6 +81,17 @@ void WriteText(TIFF* tiff, ttag_t tag, const std::string& text)
     TIFFSetField(tiff, tag, text.c_str());
   }
 }
+}
+
+//------------------------------------------------------------------------------
+std::optional<double> GeoTags::FindNoData() const
+{
+  const char* end = this->NoData.data() + this->NoData.size();
+  const char* begin = std::find_if(
+    this->NoData.data(), end, [](char letter) { return letter != ' ' && letter != '+'; });
+  double value = 0.0;
+  const bool isNumber = std::from_chars(begin, end, value).ec == std::errc();
+  return isNumber ? std::optional<double>(value) : std::nullopt;
 }
 
 //------------------------------------------------------------------------------

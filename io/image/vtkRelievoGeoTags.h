@@ -7,6 +7,7 @@
 
 #include "vtk_tiff.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct GeoTags
   std::string KeyText;
   std::string NoData;
   std::string Metadata; // XML
+
+  // NoData as a number, also infinite or NaN; empty: the file has none.
+  std::optional<double> FindNoData() const;
 
   void Read(TIFF* tiff);
   void Write(TIFF* tiff) const; // to a new file

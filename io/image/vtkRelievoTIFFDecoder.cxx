@@ -127,6 +127,7 @@ struct Layout
   int Orientation = ORIENTATION_TOPLEFT;
   int Components = 1; // in the output
   int Type = VTK_UNSIGNED_CHAR;
+  double Missing = 0.0; // the samples of blocks that a sparse raster lacks
 
   bool KeepsSamples() const
   {
@@ -298,6 +299,16 @@ void PutBlock(
   }
 }
 
+void FillBlock(const Layout& layout, const Block& block, vtkImageData* image)
+{
+  const std::uint32_t width = std::min(block.Width, layout.Width - block.X);
+  const std::uint32_t bottom = std::min(layout.Height, block.Y + block.Height);
+  for (std::uint32_t y = block.Y; y < bottom; ++y)
+  {
+    std::fill_n(Row<double>(image, layout.Height - 1 - y) + block.X, width, layout.Missing);
+  }
+}
+
 void ReadSamples(TIFF* tiff, const Source& source, const Layout& layout, vtkImageData* image)
 {
   const Placer placer(tiff, layout);
@@ -324,7 +335,9 @@ void ReadSamples(TIFF* tiff, const Source& source, const Layout& layout, vtkImag
   block.RowSize = static_cast<std::size_t>(rowSize);
   block.Data.resize(static_cast<std::size_t>(size));
   const std::uint64_t* offsets = nullptr;
+  const std::uint64_t* sizes = nullptr;
   TIFFGetField(tiff, tiled ? TIFFTAG_TILEOFFSETS : TIFFTAG_STRIPOFFSETS, &offsets);
+  TIFFGetField(tiff, tiled ? TIFFTAG_TILEBYTECOUNTS : TIFFTAG_STRIPBYTECOUNTS, &sizes);
   const std::uint32_t stored = tiled ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
   for (int plane = 0; plane < (layout.Apart ? layout.Components : 1); ++plane)
   {
@@ -339,7 +352,16 @@ void ReadSamples(TIFF* tiff, const Source& source, const Layout& layout, vtkImag
                                           : TIFFComputeStrip(tiff, block.Y, sample);
         if (offsets && index < stored && offsets[index] == 0) // the library would read the header
         {
-          throw Failure("it is sparse, without some of its blocks; fill them by gdal_translate");
+          if (!sizes || sizes[index] != 0)
+          {
+            ThrowSaid(source);
+          }
+          if (layout.Type != VTK_DOUBLE)
+          {
+            throw Failure("it is sparse, without some of its blocks; fill them by gdal_translate");
+          }
+          FillBlock(layout, block, image);
+          continue;
         }
         const tmsize_t got = tiled ? TIFFReadEncodedTile(tiff, index, block.Data.data(), size)
                                    : TIFFReadEncodedStrip(tiff, index, block.Data.data(), size);
@@ -367,6 +389,18 @@ void ReadSamples(TIFF* tiff, const Source& source, const Layout& layout, vtkImag
       }
     }
   }
+}
+
+// A value as a sample, by GDAL's rules: rounded and clamped, and NaN as the integer 0.
+double ToSample(const Layout& layout, double value)
+{
+  if (layout.Format == SAMPLEFORMAT_IEEEFP)
+  {
+    return layout.Bits == 32 ? static_cast<float>(value) : value;
+  }
+  const double count = std::pow(2., layout.Bits);
+  const double least = layout.Format == SAMPLEFORMAT_INT ? -count / 2. : 0.;
+  return std::isnan(value) ? 0. : std::clamp(std::round(value), least, least + count - 1.);
 }
 
 // CMYK, L*a*b*, YCbCr, logarithms: converted by the library.
@@ -428,6 +462,7 @@ vtkSmartPointer<vtkImageData> DecodeRaster(const Bytes& bytes, GeoTags& tags)
   layout.Components = 1;
   layout.Type = VTK_DOUBLE;
   tags.Read(tiff.get());
+  layout.Missing = ToSample(layout, tags.FindNoData().value_or(0.));
   auto image = MakeImage(layout.Width, layout.Height, layout.Type, layout.Components);
   ReadSamples(tiff.get(), source, layout, image);
   return image;

@@ -24,9 +24,8 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <locale>
 #include <new>
-#include <sstream>
+#include <optional>
 #include <string>
 
 #include <vtksys/SystemTools.hxx>
@@ -154,15 +153,10 @@ vtkSmartPointer<vtkImageData> ReadRaster(const std::string& path)
       "its values have a scale or an offset; apply them by gdal_translate -unscale");
   }
   AddField<vtkDoubleArray>(image, relievo::raster::Transform, MakeTransform(tags));
-  if (!tags.NoData.empty())
+  const std::optional<double> value = tags.FindNoData();
+  if (value && std::isfinite(*value)) // other values are no data anyway
   {
-    std::istringstream text(tags.NoData);
-    text.imbue(std::locale::classic());
-    double value = 0.0;
-    if (text >> value) // otherwise "nan"
-    {
-      AddField<vtkDoubleArray>(image, relievo::raster::NoData, std::array<double, 1>{ value });
-    }
+    AddField<vtkDoubleArray>(image, relievo::raster::NoData, std::array<double, 1>{ *value });
   }
   AddField<vtkUnsignedShortArray>(image, relievo::raster::Keys, tags.Keys);
   AddField<vtkDoubleArray>(image, relievo::raster::KeyNumbers, tags.KeyNumbers);

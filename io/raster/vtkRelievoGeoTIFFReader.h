@@ -8,7 +8,8 @@
  * bottom. Its place in the world is not the image's origin and spacing, but in the field data:
  * raster_transform, and, where the file has them, raster_nodata and the keys of the coordinate
  * system (vtkRelievoRaster.h). GDAL is not needed: the file is read by VTK's TIFF library, in
- * strips or tiles, uncompressed or as the library can decompress, also as BigTIFF.
+ * strips or tiles, uncompressed or as the library can decompress, also as BigTIFF. Cells of strips
+ * or tiles that a sparse file lacks have the file's value of no data, or 0 if it has none.
  *
  * Errors: a file without a place in the world; geographic coordinates, whose degrees have no
  * lengths; a band with a scale or an offset; colours; more than 2^28 cells or 2 GiB; damaged files.
