@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdarg>
 #include <cstdint>
 #include <cstring>
 #include <system_error>
@@ -65,6 +66,11 @@ void ReadText(TIFF* tiff, ttag_t tag, std::string& text)
   }
 }
 
+int SayNothing(TIFF*, void*, const char*, const char*, va_list)
+{
+  return 1;
+}
+
 template <typename T>
 void WriteArray(TIFF* tiff, ttag_t tag, const std::vector<T>& values)
 {
@@ -92,6 +98,26 @@ std::optional<double> GeoTags::FindNoData() const
   double value = 0.0;
   const bool isNumber = std::from_chars(begin, end, value).ec == std::errc();
   return isNumber ? std::optional<double>(value) : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+bool GeoTags::AreIn(const char* file)
+{
+  TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
+  TIFFOpenOptionsSetErrorHandlerExtR(options, SayNothing, nullptr);
+  TIFFOpenOptionsSetWarningHandlerExtR(options, SayNothing, nullptr);
+  TIFF* tiff = TIFFOpenExt(file, "r", options);
+  TIFFOpenOptionsFree(options);
+  if (!tiff)
+  {
+    return false;
+  }
+  GeoTags tags;
+  tags.Read(tiff);
+  std::uint16_t kind = PHOTOMETRIC_RGB;
+  TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &kind);
+  TIFFClose(tiff);
+  return kind == PHOTOMETRIC_MINISBLACK && (!tags.Matrix.empty() || !tags.Ties.empty());
 }
 
 //------------------------------------------------------------------------------

@@ -182,6 +182,12 @@ vtkRelievoGeoTIFFReader::~vtkRelievoGeoTIFFReader()
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoGeoTIFFReader::CanReadFile(const char* name)
+{
+  return name && relievo::image::GeoTags::AreIn(name) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
 vtkImageData* vtkRelievoGeoTIFFReader::GetImage()
 {
   if (this->ImageTime != this->GetMTime())

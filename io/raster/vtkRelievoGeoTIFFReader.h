@@ -34,6 +34,9 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  /** Whether this is a TIFF with a place in the world and without colours: 1 or 0. */
+  static int CanReadFile(const char* name);
+
 protected:
   vtkRelievoGeoTIFFReader();
   ~vtkRelievoGeoTIFFReader() override;

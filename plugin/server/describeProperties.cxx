@@ -46,6 +46,7 @@
 #include "vtkRelievoTangents.h"
 #include "vtkRelievoTextureCoordinates.h"
 #include "vtkRelievoViewFactors.h"
+#include "vtkRelievoViewshed.h"
 #include "vtkRelievoVoxelCubes.h"
 #include "vtkRelievoVoxelShell.h"
 #include "vtkSmartPointer.h"
@@ -606,6 +607,7 @@ std::map<std::string, std::string> MakeAll()
   addFilter("sun exposure", exposure);
   addFilter("cover", vtkNew<vtkRelievoCover>());
   addFilter("view factors", vtkNew<vtkRelievoViewFactors>());
+  addFilter("viewshed", vtkNew<vtkRelievoViewshed>());
   return made;
 }
 }

@@ -3,6 +3,7 @@
 """The filters that make meshes and images ready for materials, as ParaView's users run them."""
 
 import re
+import struct
 import sys
 
 import described
@@ -33,6 +34,7 @@ FILTERS = {
     "SunExposure": ["UpAxis"],
     "Cover": [],
     "ViewFactors": [],
+    "Viewshed": [],
     "Visibility": [],
 }
 GROUPS = {
@@ -48,6 +50,25 @@ def points(source, name):
     made = servermanager.Fetch(source)
     found = vtk_to_numpy(made.GetPointData().GetArray(name))
     return found.reshape(made.GetNumberOfPoints(), -1)
+
+
+def write_heights(name, heights, corner=None):
+    """A TIFF of floats in one strip; with the place of its upper left corner, of cells of 1."""
+    data = heights.astype("<f4").tobytes()
+    rows, columns = heights.shape
+    tags = [(256, 4, columns), (257, 4, rows), (258, 3, 32), (259, 3, 1), (262, 3, 1), (273, 4, 8),
+            (277, 3, 1), (278, 4, rows), (279, 4, len(data)), (339, 3, 3)]  # fmt: skip
+    tags = [(tag, kind, 1, value) for tag, kind, value in tags]
+    after = 8 + len(data) + 2 + 12 * (len(tags) + 2) + 4
+    place = b""
+    if corner:
+        tags += [(33550, 12, 3, after), (33922, 12, 6, after + 24)]
+        place = struct.pack("<9d", 1, 1, 0, 0, 0, 0, *corner, 0)
+    path = pv.OUTPUT / name
+    path.write_bytes(
+        struct.pack("<2sHI", b"II", 42, 8 + len(data)) + data + struct.pack("<H", len(tags))
+        + b"".join(struct.pack("<HHII", *tag) for tag in tags) + bytes(4) + place)  # fmt: skip
+    return str(path)
 
 
 class Filters(pv.PluginTest):
@@ -272,6 +293,42 @@ output.VTKObject.SetPolys(cells)
             Origin=[-99, -99, 0.5], Point1=[99, -99, 0.5], Point2=[-99, 99, 0.5])]  # fmt: skip
         others = column("factor")[column("to") == -2]
         self.assertGreater(others.min(), 0.99)
+
+    def test_viewshed(self):
+        """A terrain of a GeoTIFF: from a height h, a ridge of height H at a distance x hides level
+        ground to x h/(h - H). TIFFs that are pictures are not offered as terrains."""
+        heights = numpy.zeros((3, 200))
+        heights[:, 60] = 8
+        file = write_heights("terrain.tif", heights, (689299.5, 5337202.5))
+        picture = write_heights("picture.tif", heights)
+        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+        session = servermanager.ActiveConnection.Session
+        for path, offered in ((file, True), (picture, False)):
+            readers = factory.GetReaders(path, session)
+            names = [readers.GetString(i) for i in range(readers.GetNumberOfStrings())]
+            self.assertEqual("RelievoTerrainReader" in names, offered, path)
+        terrain = simple.TerrainReader(FileName=file)
+        places = vtk_to_numpy(servermanager.Fetch(terrain).GetPoints().GetData())
+        numpy.testing.assert_array_equal(places[:, 2], heights.ravel())
+        numpy.testing.assert_array_equal(places[[0, -1], :2],
+                                         [(689300, 5337202), (689499, 5337200)])  # fmt: skip
+        shed = simple.Viewshed(Input=terrain, Observers=[689300, 5337201, 12])
+        along = numpy.arange(200)
+        near = (along <= 60) | (along >= 180)
+        numpy.testing.assert_array_equal(points(shed, "seen").reshape(3, 200)[1], near)
+        shed.Observers = [689300, 5337201, 12, 689499, 5337201, 100]
+        far = (along >= 60) | (along <= 199 - 139 * 100 / 92)
+        numpy.testing.assert_array_equal(
+            points(shed, "seen").reshape(3, 200)[1], near.astype(int) + far)
+        shed.FarthestDistance = 50
+        numpy.testing.assert_array_equal(
+            points(shed, "seen").reshape(3, 200)[1], (along <= 50).astype(int) + (along >= 149))
+        shed.FarthestDistance = 0
+        shed.Observers = [689300, 5337201, 12]
+        shed.Occluders = [simple.Plane(
+            Origin=[689310.5, 5337190, 0], Point1=[689310.5, 5337210, 0],
+            Point2=[689310.5, 5337190, 99])]  # fmt: skip
+        numpy.testing.assert_array_equal(points(shed, "seen").reshape(3, 200)[1], along <= 10)
 
     def test_sun_exposure_takes_the_views_up(self):
         """At first, but where the mesh is low."""
