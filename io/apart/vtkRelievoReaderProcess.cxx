@@ -336,9 +336,16 @@ bool LoadWork(Request& request)
 }
 
 //------------------------------------------------------------------------------
+// The bytes that a process may take for files of so many bytes; fewer if the user has limited all
+// processes (ulimit -v, -d).
 std::uint64_t GetMemory(std::uint64_t size)
 {
-  return Memory + MemoryOfMiB * (size >> 20);
+  rlimit addresses = {};
+  rlimit data = {};
+  getrlimit(RLIMIT_AS, &addresses);
+  getrlimit(RLIMIT_DATA, &data);
+  return std::min<std::uint64_t>(
+    Memory + MemoryOfMiB * (size >> 20), std::min(addresses.rlim_cur, data.rlim_max));
 }
 
 std::uint64_t GetSeconds(std::uint64_t least, std::uint64_t size)

@@ -101,6 +101,11 @@ class Untrusted(CliTest):
         points = LEGACY.format("BINARY") + "POINTS 2000000000 double\n"
         self.refused_apart("points.vtk", points, "the reader (VTK) used more than 8 GiB of memory")
 
+    def test_less_memory_by_ulimit(self):
+        points = LEGACY.format("BINARY") + "POINTS 2000000000 double\n"
+        self.refused_apart("points.vtk", points, "the reader (VTK) used more than 3 GiB of memory",
+                           wrapper=["sh", "-c", 'ulimit -v 3145728; exec "$@"', "sh"])  # fmt: skip
+
     def test_memory_of_counts(self):
         """VTK gets over the memory that it lacks, and finds the file too short."""
         text = LEGACY.format("ASCII") + "POINTS 3 double\n0 0 0 1 0 0 0 1 0\n"
