@@ -18,7 +18,6 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoCenteredRays.h"
 #include "vtkRelievoHitColumns.h"
-#include "vtkRelievoMemory.h"
 #include "vtkRelievoMovedPoints.h"
 #include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRayContent.h"
@@ -37,7 +36,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <new>
 #include <set>
 #include <sstream>
 #include <string>
@@ -125,21 +123,9 @@ bool vtkRelievoRayScene::Internals::SetMeshes(bool opaqueOnly)
         this->File != nullptr);
     }
   }
-  const double bytes = this->Tree.GetBytesToBuild(this->Meshes);
-  const std::string lack = bytes > 0.0 ? relievo::LackOfMemory(bytes, 0.0) : "";
-  if (!lack.empty())
-  {
-    return this->Refuse(lack);
-  }
-  try
-  {
-    return this->Tree.SetMeshes(this->Meshes);
-  }
-  catch (const std::bad_alloc&) // its peak depends on the mesh
-  {
-    return this->Refuse("it would take about " + std::to_string(static_cast<long long>(bytes)) +
-      " bytes, and memory ran out");
-  }
+  std::string lack;
+  const bool changed = this->Tree.SetMeshes(this->Meshes, lack);
+  return lack.empty() ? changed : this->Refuse(lack);
 }
 
 //------------------------------------------------------------------------------
@@ -157,7 +143,6 @@ bool vtkRelievoRayScene::Internals::Refuse(const std::string& lack)
     ". Expected a coarser mesh, or more memory; each part of divided work needs the whole tree";
   this->Meshes.clear();
   this->Sources.clear();
-  this->Tree = vtkRelievoRayTree();
   return true;
 }
 

@@ -975,7 +975,7 @@ vtkRelievoShadowCertificate* vtkRelievoShadowStage::Certify(int rays, int seed)
     { frame, renderer, in.Maps.Work, in.Lights, in.Maps.GetMethod() }, rays, seed, fault);
   if (!fault.empty())
   {
-    vtkErrorMacro("Certify could not draw the picture again: " << fault << ".");
+    vtkErrorMacro("Certify could not judge the picture: " << fault << ".");
   }
   return in.Certificate;
 }

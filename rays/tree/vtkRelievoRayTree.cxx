@@ -3,9 +3,11 @@
 #include "vtkRelievoRayTree.h"
 
 #include "vtkPolyData.h"
+#include "vtkRelievoMemory.h"
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <set>
 
 namespace
@@ -113,6 +115,28 @@ bool vtkRelievoRayTree::SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshe
     this->Place();
   }
   return !same;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayTree::SetMeshes(
+  const std::vector<vtkRelievoPlacedMesh>& meshes, std::string& lack)
+{
+  const double bytes = this->GetBytesToBuild(meshes);
+  lack = bytes > 0.0 ? relievo::LackOfMemory(bytes, 0.0) : "";
+  try
+  {
+    if (lack.empty())
+    {
+      return this->SetMeshes(meshes);
+    }
+  }
+  catch (const std::bad_alloc&) // its peak depends on the mesh
+  {
+    lack = "it would take about " + std::to_string(static_cast<long long>(bytes)) +
+      " bytes, and memory ran out";
+  }
+  *this = vtkRelievoRayTree();
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,9 @@ public:
   // Sets the scene. Unchanged meshes and places keep their trees. Returns whether anything has
   // changed. The meshes must exist as long as rays are traced.
   bool SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes);
+
+  // Without enough memory the scene is empty, with the numbers in `lack`.
+  bool SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes, std::string& lack);
 
   // Bytes that SetMeshes usually needs, at its peak, beyond those held now.
   double GetBytesToBuild(const std::vector<vtkRelievoPlacedMesh>& meshes) const;

@@ -3,12 +3,10 @@
 #include "vtkRelievoWideTree.h"
 
 #include "vtkRelievoBoxRecords.h"
+#include "vtkRelievoForEach.h"
 #include "vtkRelievoRayFile.h"
-#include "vtkRelievoThreads.h"
 
-#include <atomic>
 #include <limits>
-#include <new>
 
 namespace
 {
@@ -30,33 +28,6 @@ double GetHalfArea(const Box& box)
 constexpr int InASubtree = 8192;   // boxes of a subtree built by one thread
 constexpr std::size_t AtOnce = 64; // subtrees built before their nodes are stored
 constexpr std::size_t OfAll = 16;  // parts in which nodes are stored, at most
-
-// Runs work(i) for each i below `count`; each takes long. Lack of memory in a thread is thrown to
-// the caller.
-template <typename Work>
-void ForEach(std::size_t count, Work work)
-{
-  std::atomic<bool> lacks{ false };
-  vtkRelievoWithThreads([&]() {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1, [&](vtkIdType begin, vtkIdType end) {
-      try
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          work(static_cast<std::size_t>(i));
-        }
-      }
-      catch (const std::bad_alloc&)
-      {
-        lacks = true;
-      }
-    });
-  });
-  if (lacks)
-  {
-    throw std::bad_alloc();
-  }
-}
 }
 
 bool vtkRelievoWideTree::Avx2 = vtkRelievoAvx2::IsSupported();
@@ -187,10 +158,11 @@ void vtkRelievoWideTree::Build(int count, const GetBox& getBox, int leafSize)
     const std::size_t first = top.size();
     top.resize(first + large.size());
     std::vector<std::vector<Task>> children(large.size());
-    ForEach(large.size(), [&](std::size_t i) {
-      children[i] =
-        MakeNode(records, large[i], leafSize, static_cast<int>(first + i), top[first + i]);
-    });
+    const auto make = [&](vtkIdType i) {
+      const std::size_t index = first + static_cast<std::size_t>(i);
+      children[i] = MakeNode(records, large[i], leafSize, static_cast<int>(index), top[index]);
+    };
+    vtkRelievoForEach(static_cast<vtkIdType>(large.size()), make);
     open.clear();
     for (std::size_t i = 0; i < large.size(); ++i)
     {
@@ -213,8 +185,10 @@ void vtkRelievoWideTree::Build(int count, const GetBox& getBox, int leafSize)
   for (std::size_t begin = 0; begin < below.size(); begin += AtOnce)
   {
     std::vector<Subtree> subtrees(std::min(AtOnce, below.size() - begin));
-    ForEach(subtrees.size(),
-      [&](std::size_t i) { MakeSubtree(records, below[begin + i], leafSize, subtrees[i]); });
+    const auto make = [&](vtkIdType i) {
+      MakeSubtree(records, below[begin + static_cast<std::size_t>(i)], leafSize, subtrees[i]);
+    };
+    vtkRelievoForEach(static_cast<vtkIdType>(subtrees.size()), make);
     for (std::size_t i = 0; i < subtrees.size(); ++i)
     {
       const Task& task = below[begin + i];

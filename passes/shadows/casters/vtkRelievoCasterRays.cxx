@@ -7,7 +7,7 @@
 #include <limits>
 
 //------------------------------------------------------------------------------
-void vtkRelievoCasterRays::SetSurfaces(const std::vector<vtkRelievoSurface>& surfaces)
+std::string vtkRelievoCasterRays::SetSurfaces(const std::vector<vtkRelievoSurface>& surfaces)
 {
   this->Surfaces = surfaces;
   std::vector<vtkRelievoPlacedMesh> meshes;
@@ -15,7 +15,13 @@ void vtkRelievoCasterRays::SetSurfaces(const std::vector<vtkRelievoSurface>& sur
   {
     meshes.push_back(surface.Caster);
   }
-  this->Tree.SetMeshes(meshes);
+  std::string lack;
+  this->Tree.SetMeshes(meshes, lack);
+  if (!lack.empty())
+  {
+    this->Surfaces.clear();
+  }
+  return lack;
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 
 #include "vtkRelievoRayTree.h"
 
+#include <string>
 #include <vector>
 
 // A mesh of the scene with its roles.
@@ -34,8 +35,9 @@ public:
     glm::dvec3 Normal{ 0.0 }; // of the triangle's plane, towards the ray's start; not normalised
   };
 
-  // Unchanged meshes keep their trees.
-  void SetSurfaces(const std::vector<vtkRelievoSurface>& surfaces);
+  // Unchanged meshes keep their trees. Returns an empty string; without memory for the trees, the
+  // numbers of bytes, and there are no surfaces.
+  std::string SetSurfaces(const std::vector<vtkRelievoSurface>& surfaces);
   const std::vector<vtkRelievoSurface>& GetSurfaces() const { return this->Surfaces; }
   const glm::dvec3& GetCenter() const { return this->Tree.GetCenter(); }
   long long GetNumberOfTriangles() const { return this->Tree.GetNumberOfTriangles(); }

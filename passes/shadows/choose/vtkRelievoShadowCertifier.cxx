@@ -220,7 +220,12 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
     box.Max += beside;
     certifier.Unfollowed.push_back(box);
   }
-  certifier.Rays.SetSurfaces(surfaces);
+  fault = certifier.Rays.SetSurfaces(surfaces);
+  if (!fault.empty())
+  {
+    fault = "no tree for rays: " + fault;
+    return nullptr;
+  }
   const double wider = GetWidth(picture.Work.Cache);
   for (vtkRelievoBox& box : certifier.Unfollowed)
   {

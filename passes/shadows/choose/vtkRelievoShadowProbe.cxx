@@ -144,6 +144,7 @@ void vtkRelievoShadowProbe::Update(const vtkRelievoShadowContext& work,
   ++this->Updates;
   this->Lights = casting;
   this->Unfollowed.clear();
+  // Without memory for their trees the probe finds nothing, and is not known.
   this->Rays.SetSurfaces(work.Props.CollectSurfaces(false, this->Unfollowed));
   const vtkRelievoShadowScene scene = GetScene(work, view);
   this->Nearest = std::max(first, view.Parallel ? 2.0 * view.Near - view.Far : 1e-9 * view.Near);
