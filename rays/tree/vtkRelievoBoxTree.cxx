@@ -3,7 +3,7 @@
 #include "vtkRelievoBoxTree.h"
 
 #include "vtkRelievoAvx2.h" // for RELIEVO_INLINED
-#include "vtkRelievoThreads.h"
+#include "vtkRelievoForEach.h"
 
 #include <algorithm>
 #include <limits>
@@ -152,6 +152,16 @@ struct vtkRelievoBoxTree::Split
 };
 
 //------------------------------------------------------------------------------
+// A node with n leaves below it is followed by 2 n - 2 others.
+std::array<glm::vec4, 2> vtkRelievoBoxTree::Node::GetTexels(int index, int leafSize) const
+{
+  const int leaves =
+    this->Next < 0 ? -1 - (-1 - this->Next) / leafSize : (this->Next - index + 1) / 2;
+  return { glm::vec4(this->Low, static_cast<float>(leaves)),
+    glm::vec4(this->High, static_cast<float>(this->Count)) };
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoBoxTree::GetNumberOfNodes(int boxes, int leafSize)
 {
   return boxes > 0 ? 2 * (RoundUp(boxes, leafSize) / leafSize) - 1 : 0;
@@ -230,37 +240,29 @@ void vtkRelievoBoxTree::Build(const std::vector<Box>& boxes, int leafSize)
   }
   std::vector<Task> large(count > 0 ? 1 : 0, Task{ 0, 0, count });
   std::vector<Task> small;
-  vtkRelievoWithThreads([&]() {
-    while (!large.empty())
-    {
-      const std::vector<Task> now = std::move(large);
-      std::vector<Task> next(2 * now.size());
-      vtkSMPTools::For(0, static_cast<vtkIdType>(now.size()), 1, [&](vtkIdType from, vtkIdType to) {
-        for (vtkIdType i = from; i < to; ++i)
-        {
-          next[2 * i] = now[i];
-          if (now[i].Count > ForAThread)
-          {
-            next[2 * i] = this->MakeNode(boxes, now[i], next[2 * i + 1]);
-          }
-        }
-      });
-      large.clear();
-      for (const Task& task : next)
+  while (!large.empty())
+  {
+    const std::vector<Task> now = std::move(large);
+    std::vector<Task> next(2 * now.size());
+    const auto make = [&](vtkIdType i) {
+      next[2 * i] = now[i];
+      if (now[i].Count > ForAThread)
       {
-        if (task.Count > 0)
-        {
-          (task.Count > ForAThread ? large : small).push_back(task);
-        }
+        next[2 * i] = this->MakeNode(boxes, now[i], next[2 * i + 1]);
+      }
+    };
+    vtkRelievoForEach(static_cast<vtkIdType>(now.size()), make);
+    large.clear();
+    for (const Task& task : next)
+    {
+      if (task.Count > 0)
+      {
+        (task.Count > ForAThread ? large : small).push_back(task);
       }
     }
-    vtkSMPTools::For(0, static_cast<vtkIdType>(small.size()), 1, [&](vtkIdType from, vtkIdType to) {
-      for (vtkIdType i = from; i < to; ++i)
-      {
-        this->MakeSubtree(boxes, small[i]);
-      }
-    });
-  });
+  }
+  const auto makeBelow = [&](vtkIdType i) { this->MakeSubtree(boxes, small[i]); };
+  vtkRelievoForEach(static_cast<vtkIdType>(small.size()), makeBelow);
   this->FitNodes(boxes);
 }
 

@@ -31,13 +31,12 @@ public:
     glm::vec3 High;
     int Count; // the leaf's number of boxes, or 0
 
-    // Two texels of shaders/shadow/exact.glsl; floats count to 2^24.
-    std::array<glm::vec4, 2> GetTexels() const
-    {
-      return { glm::vec4(this->Low, static_cast<float>(this->Next)),
-        glm::vec4(this->High, static_cast<float>(this->Count)) };
-    }
+    // Two texels of shaders/rays/tree.glsl for the node with this index.
+    std::array<glm::vec4, 2> GetTexels(int index, int leafSize) const;
   };
+
+  // Maximum number of leaves of a tree in texels, where floats count them.
+  static constexpr int MostLeaves = 1 << 24;
 
   void Build(const std::vector<Box>& boxes, int leafSize);
 

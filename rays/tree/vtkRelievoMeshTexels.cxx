@@ -12,7 +12,7 @@
 
 namespace
 {
-constexpr int LeafSize = 4;
+constexpr int LeafSize = 4;  // of relievoTreeLeafFirst
 constexpr double Worn = 1.5; // relative to the tree's cost when it was built
 
 std::vector<vtkIdType> GetTriangles(vtkPolyData* data)
@@ -96,7 +96,7 @@ std::vector<vtkRelievoBoxTree::Box> GetBoxes(const std::vector<glm::vec3>& corne
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkRelievoMeshTexels::MostTriangles = 1 << 24;
+vtkIdType vtkRelievoMeshTexels::MostTriangles = vtkIdType(LeafSize) * vtkRelievoBoxTree::MostLeaves;
 
 //------------------------------------------------------------------------------
 bool vtkRelievoMeshTexels::Update(vtkPolyData* data)
@@ -140,9 +140,9 @@ void vtkRelievoMeshTexels::Pack(const std::vector<glm::vec3>& corners)
     return;
   }
   float* to = &this->Texels[0].x;
-  for (const auto& node : nodes)
+  for (std::size_t i = 0; i < nodes.size(); ++i)
   {
-    for (const glm::vec4& texel : node.GetTexels())
+    for (const glm::vec4& texel : nodes[i].GetTexels(static_cast<int>(i), LeafSize))
     {
       to = std::copy(&texel.x, &texel.x + 4, to);
     }

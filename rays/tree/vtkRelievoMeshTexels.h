@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The triangles of a mesh for shaders/shadow/exact.glsl: in coordinates about the mesh's centre, in
+// The triangles of a mesh for shaders/rays/tree.glsl: in coordinates about the mesh's centre, in
 // the order of a tree.
 #ifndef vtkRelievoCasterMesh_h
 #define vtkRelievoCasterMesh_h
@@ -17,7 +17,7 @@ class vtkPolyData;
 class VTKRELIEVORAYS_EXPORT vtkRelievoMeshTexels
 {
 public:
-  // Maximum number of triangles per mesh, since floats count them. Tests set a smaller one.
+  // Maximum number of triangles per mesh, since floats count leaves. Tests set a smaller one.
   static vtkIdType GetMostTriangles() { return MostTriangles; }
   static void SetMostTriangles(vtkIdType most) { MostTriangles = most; }
 
@@ -26,7 +26,7 @@ public:
 
   // Nodes, then triangles: five texels per pair.
   const std::vector<glm::vec4>& GetTexels() const { return this->Texels; }
-  int GetNumberOfNodes() const { return static_cast<int>(this->Tree.GetNodes().size()); }
+  int GetNumberOfLeaves() const { return static_cast<int>(this->Tree.GetNodes().size() + 1) / 2; }
   int GetNumberOfTriangles() const { return static_cast<int>(this->Tree.GetOrder().size()); }
   bool WasRefitted() const { return this->Refitted; } // in the last update
 

@@ -6,8 +6,12 @@
 // record of five texels for each caster, then for each mesh, at a multiple of 16 texels, the nodes
 // of a tree over its triangles and the triangles, five texels for two.
 //
+// Floats count leaves, since there are four triangles in a leaf and twice as many nodes as leaves:
+// see rays/leaves.glsl.
+//
 // On software OpenGL branches cost their content whether they are taken or not, and loops at least
 // one turn. So each loop does only one kind of work until another kind is due.
+//RELIEVO::Include(rays/leaves.glsl)
 uniform samplerBuffer relievoTree;
 uniform int relievoTreeNodes;   // over the casters
 uniform int relievoTreeRecords; // texel of the first record

@@ -30,14 +30,14 @@ RELIEVO_PASSES relievoTreeWalk(
       vec4 high = texelFetch(relievoTree, 2 * caster + 1);
       bool hitsBox = relievoRayHitsBox(fromLC, inverseLC, last, low.xyz, high.xyz);
       bool leaf = low.w < 0.0;
-      found = hitsBox && leaf ? int(-1.0 - low.w) : -1;
-      caster = hitsBox || leaf ? caster + 1 : int(low.w);
+      found = hitsBox && leaf ? relievoTreeLeaf(low.w) : -1;
+      caster += hitsBox || leaf ? 1 : relievoTreeNodesOf(low.w);
     }
     int record = relievoTreeRecords + 5 * max(found, 0);
     vec4 rowX = texelFetch(relievoTree, record);
     vec4 rowY = texelFetch(relievoTree, record + 1);
     vec4 rowZ = texelFetch(relievoTree, record + 2);
-    vec4 mesh = texelFetch(relievoTree, record + 3); // texel / 16, nodes, 1 - opacity
+    vec4 mesh = texelFetch(relievoTree, record + 3); // texel / 16, leaves, 1 - opacity
     vec4 size = texelFetch(relievoTree, record + 4); // scale, blur
 #ifdef RELIEVO_SHADOW_COLORED
     vec4 share = vec4(mesh.w, size.zw, mesh.z); // colours' share, minus the blocked share
@@ -47,7 +47,7 @@ RELIEVO_PASSES relievoTreeWalk(
     // Opaque casters may be counted twice, which closes gaps to their neighbours.
     bool blocks = mesh.z == 0.0;
     int base = 16 * int(mesh.x);
-    int nodes = found < 0 ? 0 : int(mesh.y);
+    int nodes = found < 0 ? 0 : relievoTreeNodesOf(mesh.y);
     int triangles = base + 2 * nodes;
     float near = size.x * blur + size.y;
     vec4 start = vec4(fromLC, 1.0);
@@ -69,9 +69,9 @@ RELIEVO_PASSES relievoTreeWalk(
         vec4 high = texelFetch(relievoTree, base + 2 * node + 1);
         bool hitsBox = relievoRayHitsBox(from, inverse, last, low.xyz, high.xyz);
         bool leaf = low.w < 0.0;
-        slot = hitsBox && leaf ? int(-1.0 - low.w) : 0;
+        slot = hitsBox && leaf ? relievoTreeLeafFirst(low.w) : 0;
         end = hitsBox && leaf ? slot + int(high.w) : 0;
-        node = hitsBox || leaf ? node + 1 : int(low.w);
+        node += hitsBox || leaf ? 1 : relievoTreeNodesOf(low.w);
       }
       while (slot < end)
       {

@@ -49,16 +49,17 @@ bool relievoTileHits(int casters, relievoTile tile, vec4 source)
     bool leaf = low.w < 0.0;
     bool hitsBox = relievoRayHitsBox(
       tile.middle, inverseLC, last, low.xyz - tile.extent, high.xyz + tile.extent);
-    caster = hitsBox || leaf ? caster + 1 : int(low.w);
-    int record = relievoTreeRecords + 5 * (hitsBox && leaf ? int(-1.0 - low.w) : 0);
+    caster += hitsBox || leaf ? 1 : relievoTreeNodesOf(low.w);
+    int record = relievoTreeRecords + 5 * (hitsBox && leaf ? relievoTreeLeaf(low.w) : 0);
     vec4 rowX = texelFetch(relievoTree, record);
     vec4 rowY = texelFetch(relievoTree, record + 1);
     vec4 rowZ = texelFetch(relievoTree, record + 2);
     vec4 mesh = texelFetch(relievoTree, record + 3);
     vec4 size = texelFetch(relievoTree, record + 4);
     int base = 16 * int(mesh.x);
-    int nodes = hitsBox && leaf ? int(mesh.y) : 0;
-    int triangles = base + 2 * int(mesh.y);
+    int ofMesh = relievoTreeNodesOf(mesh.y);
+    int nodes = hitsBox && leaf ? ofMesh : 0;
+    int triangles = base + 2 * ofMesh;
     float near = size.x * tile.blur + size.y;
     vec4 start = vec4(tile.middle, 1.0);
     vec3 from = vec3(dot(rowX, start), dot(rowY, start), dot(rowZ, start));
@@ -75,9 +76,9 @@ bool relievoTileHits(int casters, relievoTile tile, vec4 source)
       vec4 most = texelFetch(relievoTree, base + 2 * node + 1);
       bool within = relievoRayHitsBox(from, inverse, last, least.xyz - room, most.xyz + room);
       bool isLeaf = least.w < 0.0;
-      int slot = within && isLeaf ? int(-1.0 - least.w) : 0;
+      int slot = within && isLeaf ? relievoTreeLeafFirst(least.w) : 0;
       int end = within && isLeaf ? slot + int(most.w) : 0;
-      node = within || isLeaf ? node + 1 : int(least.w);
+      node += within || isLeaf ? 1 : relievoTreeNodesOf(least.w);
       while (slot < end)
       {
         vec3 a;

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GpuCases.h"
 
-// The file of cases, once in each number type, as vtkRelievoFormulas.h takes in the formulas.
+// The files of cases and of a tree's indices, once in each number type, as vtkRelievoFormulas.h
+// takes in the formulas.
 namespace relievo
 {
 namespace f32
 {
 namespace
 {
+#include "rays/leaves.glsl"
+
 #include "cases.glsl"
 }
 }
@@ -18,6 +21,8 @@ namespace f64
 namespace
 {
 #define float double
+#include "rays/leaves.glsl"
+
 #include "cases.glsl"
 #undef float
 }

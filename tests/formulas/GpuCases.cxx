@@ -58,7 +58,8 @@ std::string FragmentShader()
       vtkRelievoShaderLibrary::Get("formulas/light/prefilter.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/light/fog.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/geometry/noise.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/geometry/skin.glsl"));
+      vtkRelievoShaderLibrary::Get("formulas/geometry/skin.glsl") +
+      vtkRelievoShaderLibrary::Get("rays/leaves.glsl"));
   vtkShaderProgram::Substitute(shader, "//RELIEVO::Cases", ReadTestShader("cases.glsl"));
   return shader;
 }

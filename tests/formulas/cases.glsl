@@ -348,6 +348,14 @@ uvec4 relievoTestSkin(int which, uvec4 a, uvec4 b)
   return relievoTestBits3(relievoNormalMatrix(mat3(v, w, vec3(v.y, w.z, v.x))) * w);
 }
 
+// Indices into a tree, from a.x leaves and the leaf a.y.
+uvec4 relievoTestTree(uvec4 a)
+{
+  float leaf = float(-1.0) - float(a.y);
+  return uvec4(uint(relievoTreeNodesOf(float(a.x))), uint(relievoTreeLeaf(leaf)),
+    uint(relievoTreeLeafFirst(leaf)), uint(0));
+}
+
 uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
 {
   if (which < 10)
@@ -382,5 +390,9 @@ uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
   {
     return relievoTestNoise(a, b);
   }
-  return relievoTestSkin(which, a, b);
+  if (which < 90)
+  {
+    return relievoTestSkin(which, a, b);
+  }
+  return relievoTestTree(a);
 }

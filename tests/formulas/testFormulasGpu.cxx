@@ -352,6 +352,28 @@ void TestSkin(relievoTest::GpuCases& gpu)
   }
 }
 
+// The indices of nodes and triangles, up to trees of the largest size.
+void TestTree(relievoTest::GpuCases& gpu)
+{
+  constexpr std::uint32_t Most = 1u << 24; // leaves
+  std::vector<CaseInput> inputs;
+  for (std::uint32_t i = 1; i <= Most; i = std::max(i + 1, i + i / 997))
+  {
+    inputs.push_back({ glm::uvec4(i, i - 1, 0u, 0u), glm::uvec4(0u) });
+    inputs.push_back({ glm::uvec4(Most + 1 - i, Most - i, 0u, 0u), glm::uvec4(0u) });
+  }
+  for (const auto& run : { RunFloat(90, inputs), gpu.Run(90, inputs) })
+  {
+    long long wrong = run.size() == inputs.size() ? 0 : 1;
+    for (std::size_t i = 0; i < run.size(); ++i)
+    {
+      const glm::uvec4& a = inputs[i].A;
+      wrong += run[i] == glm::uvec4(2u * a.x - 1u, a.y, 4u * a.y, 0u) ? 0 : 1;
+    }
+    RELIEVO_CHECK_AT_MOST(wrong, 0, "indices into a tree");
+  }
+}
+
 //------------------------------------------------------------------------------
 RELIEVO_TEST_CASE(testFormulasGpu)
 {
@@ -368,6 +390,7 @@ RELIEVO_TEST_CASE(testFormulasGpu)
       TestFog(gpu);
       TestNoise(gpu);
       TestSkin(gpu);
+      TestTree(gpu);
     }
   }
   return session.Result();

@@ -4,7 +4,8 @@
 // The buffer of casters' triangles by itself: trees that are fitted to points that move and built
 // anew for other cells, and more casters than it can count or than OpenGL's buffers hold, which are
 // refused in words; and the maps that a picture then has.
-#include "vtkRelievoTreeBuffer.h" // before all of GLM, whose functions it has of its own
+#include "vtkRelievoCasterRays.h" // before all of GLM, whose functions it has of its own
+#include "vtkRelievoTreeBuffer.h"
 
 #include "Check.h"
 #include "Layers.h"
@@ -12,26 +13,39 @@
 #include "ShadowScenes.h"
 #include "Stage.h"
 #include "TestCase.h"
+#include "vtkRelievoForEach.h"
 #include "vtkRelievoTextureBuffer.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkPlaneSource.h>
 #include <vtkPoints.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
 #include <vtkSphereSource.h>
+#include <vtkTriangleFilter.h>
 
+#include <algorithm>
+#include <fstream>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
 namespace testShadowTree
 {
 namespace
 {
 using relievoTest::Stage;
+
+#include "rays/leaves.glsl"
 
 vtkSmartPointer<vtkPolyData> MakeBall()
 {
@@ -90,6 +104,34 @@ void TestRefit(vtkOpenGLRenderWindow* window)
   tree.Release(window);
 }
 
+// Nodes in texels, at places of the largest trees: the shader's indices are those of the nodes.
+void TestIndices()
+{
+  constexpr int LeafSize = 4;
+  constexpr int MostNodes = 2 * vtkRelievoBoxTree::MostLeaves - 1;
+  long long wrong = 0;
+  for (int node = 0; node < MostNodes; node += 1 + node / 100)
+  {
+    for (int leaves = 2; leaves <= (MostNodes - node + 1) / 2; leaves += 1 + leaves / 100)
+    {
+      vtkRelievoBoxTree::Node inner{};
+      inner.Next = node + 2 * leaves - 1;
+      const float w = inner.GetTexels(node, LeafSize)[0].w;
+      wrong += w >= 0.f && node + relievoTreeNodesOf(w) == inner.Next ? 0 : 1;
+    }
+    const int first = std::min(LeafSize * (node / 2), LeafSize * vtkRelievoBoxTree::MostLeaves - 4);
+    vtkRelievoBoxTree::Node leaf{};
+    leaf.Next = -1 - first;
+    leaf.Count = 3;
+    const auto texels = leaf.GetTexels(node, LeafSize);
+    wrong += texels[0].w < 0.f && relievoTreeLeafFirst(texels[0].w) == first ? 0 : 1;
+    wrong += texels[1].w == 3.f ? 0 : 1;
+    leaf.Next = -1 - node / 2; // of a tree with one box in a leaf
+    wrong += relievoTreeLeaf(leaf.GetTexels(node, 1)[0].w) == node / 2 ? 0 : 1;
+  }
+  RELIEVO_CHECK_AT_MOST(wrong, 0, "indices of nodes and leaves");
+}
+
 // Places that are shared by many casters: more than a float counts.
 void TestTooMany(vtkOpenGLRenderWindow* window)
 {
@@ -100,9 +142,9 @@ void TestTooMany(vtkOpenGLRenderWindow* window)
   caster.Places = places;
   vtkRelievoTreeBuffer tree;
   const std::string fault =
-    tree.Update(window, std::vector<vtkRelievoPlacedMesh>(9, caster), glm::dvec3(0.));
+    tree.Update(window, std::vector<vtkRelievoPlacedMesh>(17, caster), glm::dvec3(0.));
   RELIEVO_CHECK_THAT(
-    fault == "there are 9437184 casters and glyphs, and at most 8388608 are supported", fault);
+    fault == "there are 17825792 casters and glyphs, and at most 16777216 are supported", fault);
   RELIEVO_CHECK(tree.GetBytes() == 0);
   // A scene that becomes smaller again is traced again.
   caster.Places = nullptr;
@@ -111,6 +153,67 @@ void TestTooMany(vtkOpenGLRenderWindow* window)
   tree.Release(window);
   RELIEVO_CHECK(tree.GetBytes() == 0);
 }
+
+// Lack of memory in a thread reaches the caller, who may use threads again.
+void TestThreads()
+{
+  const std::string backend = vtkSMPTools::GetBackend();
+  bool lacks = false;
+  try
+  {
+    vtkRelievoForEach(64, [](vtkIdType i) {
+      if (i == 40)
+      {
+        throw std::bad_alloc();
+      }
+    });
+  }
+  catch (const std::bad_alloc&)
+  {
+    lacks = true;
+  }
+  RELIEVO_CHECK(lacks);
+  RELIEVO_CHECK(vtkSMPTools::GetBackend() == backend);
+}
+
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+// Little address space is left: neither shaders' trees nor rays on the processor have a mesh then.
+void TestLackOfMemory(vtkOpenGLRenderWindow* window)
+{
+  constexpr int Side = 600;
+  constexpr rlim_t Left = 8 << 20; // below the 45 bytes of a triangle that rays need
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(Side, Side);
+  vtkNew<vtkTriangleFilter> cut;
+  cut->SetInputConnection(plane->GetOutputPort());
+  cut->Update();
+  vtkRelievoSurface surface;
+  surface.Caster.Mesh = cut->GetOutput();
+  vtkRelievoTreeBuffer tree;
+  vtkRelievoCasterRays rays;
+  const auto update = [&]() { return tree.Update(window, { surface.Caster }, glm::dvec3(0.)); };
+  rlimit before = {};
+  getrlimit(RLIMIT_AS, &before);
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  rlimit less = before;
+  less.rlim_cur = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + Left;
+  RELIEVO_CHECK(setrlimit(RLIMIT_AS, &less) == 0);
+  const std::string fault = update();
+  const std::string lack = rays.SetSurfaces({ surface });
+  setrlimit(RLIMIT_AS, &before);
+  RELIEVO_CHECK_THAT(
+    fault == "memory ran out while a tree of the casters' triangles was built", fault);
+  RELIEVO_CHECK(tree.GetBytes() == 0);
+  RELIEVO_CHECK_THAT(lack.compare(0, 14, "it would take ") == 0, lack);
+  RELIEVO_CHECK(rays.GetSurfaces().empty() && rays.GetNumberOfTriangles() == 0);
+  RELIEVO_CHECK(update().empty());
+  RELIEVO_CHECK(tree.GetNumberOfTriangles() == 2 * Side * Side);
+  RELIEVO_CHECK(rays.SetSurfaces({ surface }).empty());
+  RELIEVO_CHECK(rays.GetNumberOfTriangles() == 2 * Side * Side);
+  tree.Release(window);
+}
+#endif
 
 // An OpenGL whose buffers are too small.
 void TestSmallBuffers(vtkOpenGLRenderWindow* window)
@@ -200,10 +303,15 @@ void TestFallback(bool planned)
 RELIEVO_TEST_CASE(testShadowTree)
 {
   relievoTest::Session session;
+  TestIndices();
   {
     Stage stage(32, 32);
     stage.Window->Render();
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
+    TestThreads();
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+    TestLackOfMemory(window); // before others free memory that it would use
+#endif
     TestRefit(window);
     TestTooMany(window);
     TestSmallBuffers(window);

@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <new>
 #include <sstream>
 
 namespace
 {
-// Their nodes' numbers are exact in floats.
-constexpr std::size_t MostRecords = std::size_t(1) << 23;
+constexpr std::size_t MostRecords = vtkRelievoBoxTree::MostLeaves;
 
 bool IsSame(const vtkRelievoPlacedMesh& a, const vtkRelievoPlacedMesh& b)
 {
@@ -125,6 +125,21 @@ std::string vtkRelievoTreeBuffer::FindFault(std::size_t records) const
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoTreeBuffer::Update(vtkOpenGLRenderWindow* window,
+  const std::vector<vtkRelievoPlacedMesh>& casters, const glm::dvec3& origin)
+{
+  try
+  {
+    return this->TryUpdate(window, casters, origin);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Release(window); // some meshes may be incomplete
+    return "memory ran out while a tree of the casters' triangles was built";
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoTreeBuffer::TryUpdate(vtkOpenGLRenderWindow* window,
   const std::vector<vtkRelievoPlacedMesh>& casters, const glm::dvec3& origin)
 {
   if (this->Window != window)
@@ -358,7 +373,7 @@ std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
         scale = std::max(scale, glm::length(glm::dvec3(numbers)));
       }
       record[3] = glm::vec4(static_cast<float>(held.Texel / Grain),
-        static_cast<float>(held.Mesh.GetNumberOfNodes()), static_cast<float>(transmittance),
+        static_cast<float>(held.Mesh.GetNumberOfLeaves()), static_cast<float>(transmittance),
         colors.r);
       record[4] = glm::vec4(static_cast<float>(scale),
         static_cast<float>(Ulp * caster.Reach + scale * rounding), colors.g, colors.b);
@@ -370,9 +385,9 @@ std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
   vtkRelievoBoxTree tree;
   tree.Build(boxes, 1);
   std::vector<glm::vec4> front;
-  for (const auto& node : tree.GetNodes())
+  for (std::size_t i = 0; i < tree.GetNodes().size(); ++i)
   {
-    const std::array<glm::vec4, 2> texels = node.GetTexels();
+    const std::array<glm::vec4, 2> texels = tree.GetNodes()[i].GetTexels(static_cast<int>(i), 1);
     front.insert(front.end(), texels.begin(), texels.end());
   }
   for (const int caster : tree.GetOrder())

@@ -84,6 +84,8 @@ private:
     vtkRelievoMeshTexels Mesh;
     std::size_t Texel = 0;
   };
+  std::string TryUpdate(vtkOpenGLRenderWindow* window,
+    const std::vector<vtkRelievoPlacedMesh>& casters, const glm::dvec3& origin);
   bool UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& casters);
   std::size_t CountRecords() const;
   bool FindMoved(const std::vector<vtkRelievoPlacedMesh>& castersBefore,
