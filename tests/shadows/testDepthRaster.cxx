@@ -3,14 +3,36 @@
 //
 // Depths that the processor draws into maps: those of the first triangle on the ray of each texel,
 // found in double without a projection; one triangle for a centre on an edge; the number of threads
-// makes no difference.
-#include "Check.h"
-#include "Session.h"
-#include "TestCase.h"
+// makes no difference. Maps of whole scenes are those that OpenGL draws by VTK's shader, but for
+// outlines, which OpenGL rounds to 1/256 texel; and an actor in two windows casts in both.
 #include "vtkRelievoDepthRaster.h"
+
+#include "Check.h"
+#include "Props.h"
+#include "Session.h"
+#include "ShadowPictures.h"
+#include "ShadowScenes.h"
+#include "TestCase.h"
+#include "Window.h"
+
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkOpenGLError.h> // for OpenGL
+#include <vtkPolyDataMapper.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowStage.h>
+#include <vtkRelievoSoftwareOpenGL.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
+#include <vtkSphereSource.h>
+#include <vtkStripper.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -42,6 +64,7 @@ struct Soup
   {
     vtkRelievoDepthRaster::Mesh mesh;
     mesh.Places = this->Places.data();
+    mesh.NumberOfPlaces = this->Places.size() / 3;
     mesh.Corners = this->Corners.data() + 3 * first;
     mesh.Triangles = triangles;
     return mesh;
@@ -269,6 +292,23 @@ void TestThreads()
   }
 }
 
+// Corners that are no places, and places that are no numbers, in a chunk with a whole triangle.
+void TestInvalid()
+{
+  Soup soup;
+  for (const double z : { 0.0, std::nan(""), 0.0, HUGE_VAL })
+  {
+    soup.Add({ -9.0, -9.0, z });
+    soup.Add({ 20.0, z, 0.0 });
+    soup.Add({ -9.0, 20.0, 0.0 });
+  }
+  soup.Corners[7] = 4000000000u;
+  vtkRelievoDepthRaster raster;
+  raster.Clear(Size);
+  raster.Draw(soup.GetMesh(), glm::dmat4(1.0), Whole, false);
+  RELIEVO_CHECK(raster.GetDepths() == std::vector<float>(raster.GetDepths().size(), 0.5f));
+}
+
 // A part of the map, as for uneven maps: nothing beside it changes.
 void TestRegion()
 {
@@ -288,6 +328,181 @@ void TestRegion()
     RELIEVO_CHECK((raster.GetDepths()[static_cast<std::size_t>(i)] == 0.5f) == within);
   }
 }
+
+using relievoTest::ShadowStage;
+
+constexpr int MapSize = 509; // of no other texture
+
+// All maps of the current context.
+std::vector<float> ReadMaps()
+{
+  std::vector<float> depths;
+  for (GLuint texture = 1; texture < 1000; ++texture)
+  {
+    GLint width = 0;
+    GLint layers = 0;
+    GLint bits = 0;
+    if (!glIsTexture(texture))
+    {
+      continue;
+    }
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    if (glGetError() == GL_NO_ERROR) // else of another target
+    {
+      glGetTexLevelParameteriv(GL_TEXTURE_2D_ARRAY, 0, GL_TEXTURE_WIDTH, &width);
+      glGetTexLevelParameteriv(GL_TEXTURE_2D_ARRAY, 0, GL_TEXTURE_DEPTH, &layers);
+      glGetTexLevelParameteriv(GL_TEXTURE_2D_ARRAY, 0, GL_TEXTURE_DEPTH_SIZE, &bits);
+    }
+    if (width == MapSize && bits > 0)
+    {
+      const std::size_t before = depths.size();
+      depths.resize(before + static_cast<std::size_t>(width) * width * layers);
+      glPixelStorei(GL_PACK_ALIGNMENT, 4);
+      glGetTexImage(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data() + before);
+    }
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  }
+  return depths;
+}
+
+// Has VTK draw the actor by its own shader: the text changes nothing.
+void DrawByVTK(vtkActor* actor)
+{
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//VTK::Color::Impl", true, "//VTK::Color::Impl\n", false);
+}
+
+// The maps of the first picture, and those after the light has moved.
+std::vector<std::vector<float>> DrawMaps(const glm::dvec3& origin, bool point, bool byVTK)
+{
+  ShadowStage stage(240, 180, 1., origin);
+  stage.AddGround();
+  stage.AddBox({ -1.4, 0.5, 0.9 }, { 0.9, 0.4, 0.7 });
+  const auto ball = relievoTest::MakeBall(0.5);
+  const glm::dvec3 place = stage.Place({ 0.3, 0.6, 0.2 });
+  relievoTest::AddActor(stage.Renderer, relievoTest::Moved(ball, 1., 0.7, -0.4))
+    ->SetPosition(origin.x, origin.y, origin.z);
+  const auto mirrored = relievoTest::AddActor(stage.Renderer, ball);
+  mirrored->SetPosition(place.x, place.y, place.z);
+  mirrored->SetOrientation(20., 50., 70.);
+  mirrored->SetScale(-1.4, 0.6, 0.8);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.4);
+  sphere->SetThetaResolution(150);
+  sphere->SetPhiResolution(90);
+  vtkNew<vtkStripper> strips;
+  strips->SetInputConnection(sphere->GetOutputPort());
+  strips->Update();
+  const glm::dvec3 other = stage.Place({ -0.5, 0.5, -1.2 });
+  relievoTest::AddActor(stage.Renderer, strips->GetOutput())
+    ->SetPosition(other.x, other.y, other.z);
+  vtkActorCollection* actors = stage.Renderer->GetActors();
+  for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+  {
+    // The box is never plain, beside others that are.
+    if (byVTK || i == 1)
+    {
+      DrawByVTK(vtkActor::SafeDownCast(actors->GetItemAsObject(i)));
+    }
+  }
+  const auto light =
+    point ? stage.AddLamp({ 1., 3., 2. }, { 0., 0., 0. }, 180.) : stage.AddSun(2., 3., 1.);
+  stage.GetFrame()->ShadowsOn();
+  stage.GetShadows()->SetMethodToMap();
+  stage.GetShadows()->SetMapSize(MapSize);
+  std::vector<std::vector<float>> maps;
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    stage.Window->Render();
+    auto* shadows = stage.GetShadows();
+    RELIEVO_CHECK(shadows->GetDrawCalls() <=
+      shadows->EstimateDrawCalls(shadows->GetMethod(), shadows->GetNumberOfMaps(), 5));
+    stage.Window->MakeCurrent();
+    maps.push_back(ReadMaps());
+    const glm::dvec3 moved = stage.Place({ 2., 3., -0.5 });
+    light->SetPosition(moved.x, moved.y, moved.z);
+  }
+  return maps;
+}
+
+void TestOpenGL(const std::string& what, const glm::dvec3& origin, bool point)
+{
+  const auto ours = DrawMaps(origin, point, false);
+  const auto theirs = DrawMaps(origin, point, true);
+  for (std::size_t frame = 0; frame < 2; ++frame)
+  {
+    const std::vector<float>& map = ours[frame];
+    const std::vector<float>& truth = theirs[frame];
+    const std::string where = what + ", frame " + std::to_string(frame);
+    if (!RELIEVO_CHECK_THAT(map.size() == truth.size() && !map.empty(), where + ": no maps"))
+    {
+      continue;
+    }
+    const auto rows = static_cast<int>(map.size() / MapSize);
+    int casters = 0;
+    int others = 0;
+    int outlines = 0;
+    int wrong = 0;
+    for (int y = 0; y < rows; ++y)
+    {
+      for (int x = 0; x < MapSize; ++x)
+      {
+        const std::size_t at = static_cast<std::size_t>(y) * MapSize + x;
+        float low = truth[at];
+        float high = truth[at];
+        for (int v = std::max(0, y - 1); v <= std::min(rows - 1, y + 1); ++v)
+        {
+          for (int u = std::max(0, x - 1); u <= std::min(MapSize - 1, x + 1); ++u)
+          {
+            const float near = truth[static_cast<std::size_t>(v) * MapSize + u];
+            low = std::min(low, near);
+            high = std::max(high, near);
+          }
+        }
+        const float off = std::abs(map[at] - truth[at]);
+        casters += truth[at] < 1.f ? 1 : 0;
+        others += map[at] != truth[at] ? 1 : 0;
+        const bool same = off <= 2e-6f + (high - low) / 64.f;
+        outlines += same ? 0 : 1;
+        wrong += same || (map[at] >= low - 2e-6f && map[at] <= high + 2e-6f) ? 0 : 1;
+      }
+    }
+    std::cout << where << ": " << casters << " texels, " << others << " rounded, " << outlines
+              << " at outlines, " << wrong << " wrong\n";
+    RELIEVO_CHECK_THAT(wrong == 0, where + ": " + std::to_string(wrong) + " depths are wrong");
+    RELIEVO_CHECK_THAT(casters > 2000 && outlines <= casters / 2000,
+      where + ": " + std::to_string(outlines) + " of " + std::to_string(casters) + " differ");
+    // Otherwise OpenGL has been compared with itself.
+    RELIEVO_CHECK_THAT(others > 0 || !vtkRelievoIsSoftwareOpenGL(), where + ": all by OpenGL");
+  }
+}
+
+// The actors of a window that has drawn, in another: as in one that is the first.
+void TestWindows()
+{
+  vtkSmartPointer<vtkImageData> pictures[2];
+  for (int other = 0; other < 2; ++other)
+  {
+    ShadowStage first(120, 90);
+    ShadowStage second(240, 180);
+    for (ShadowStage* stage : { &first, &second })
+    {
+      stage->AddSun(2., 3., 1.);
+      stage->GetFrame()->ShadowsOn();
+      stage->GetShadows()->SetMapSize(MapSize);
+    }
+    second.AddThings();
+    vtkActorCollection* actors = second.Renderer->GetActors();
+    for (int i = 0; i < actors->GetNumberOfItems() && other; ++i)
+    {
+      first.Renderer->AddActor(vtkActor::SafeDownCast(actors->GetItemAsObject(i)));
+    }
+    first.Window->Render();
+    second.Window->Render();
+    pictures[other] = relievoTest::Picture(second.Window);
+  }
+  RELIEVO_CHECK(relievoTest::CountUnlike(pictures[0], pictures[1]) == 0);
+}
 }
 
 RELIEVO_TEST_CASE(testDepthRaster)
@@ -296,7 +511,12 @@ RELIEVO_TEST_CASE(testDepthRaster)
   TestDepths();
   TestEdges();
   TestThreads();
+  TestInvalid();
   TestRegion();
+  TestOpenGL("sun", glm::dvec3(0.), false);
+  TestOpenGL("sun, far from the origin", glm::dvec3(1e6, 2e6, -1e6), false);
+  TestOpenGL("lamp", glm::dvec3(0.), true);
+  TestWindows();
   return session.Result();
 }
 }

@@ -107,18 +107,16 @@ public:
   MappedBuffer(vtkOpenGLBufferObject* buffer, std::size_t bytes)
     : Handle(static_cast<GLuint>(buffer->GetHandle()))
   {
-    glBindBuffer(GL_COPY_READ_BUFFER, this->Handle);
-    this->Data =
-      glMapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT);
-    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    this->WhileBound([&]() {
+      this->Data =
+        glMapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT);
+    });
   }
   ~MappedBuffer()
   {
     if (this->Data)
     {
-      glBindBuffer(GL_COPY_READ_BUFFER, this->Handle);
-      glUnmapBuffer(GL_COPY_READ_BUFFER);
-      glBindBuffer(GL_COPY_READ_BUFFER, 0);
+      this->WhileBound([]() { glUnmapBuffer(GL_COPY_READ_BUFFER); });
     }
   }
   MappedBuffer(const MappedBuffer&) = delete;
@@ -127,8 +125,18 @@ public:
   const void* Get() const { return this->Data; }
 
 private:
+  template <typename Work>
+  void WhileBound(Work&& work) const
+  {
+    GLint other = 0;
+    glGetIntegerv(GL_COPY_READ_BUFFER, &other); // its binding has the number of the target
+    glBindBuffer(GL_COPY_READ_BUFFER, this->Handle);
+    work();
+    glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(other));
+  }
+
   GLuint Handle;
-  void* Data;
+  void* Data = nullptr;
 };
 }
 
@@ -230,11 +238,17 @@ std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor*
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoCasterDraw::IsBuilt(vtkOpenGLPolyDataMapper* mapper) const
+bool vtkRelievoCasterDraw::IsKnown(vtkOpenGLPolyDataMapper* mapper) const
 {
   const auto known = this->Built.find(mapper);
-  if (known == this->Built.end() || known->second.Mapper != mapper ||
-    known->second.BuildTime != Access::BuildTime(mapper))
+  return known != this->Built.end() && known->second.Mapper == mapper &&
+    known->second.BuildTime == Access::BuildTime(mapper);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::IsBuilt(vtkOpenGLPolyDataMapper* mapper) const
+{
+  if (!this->IsKnown(mapper))
   {
     return false;
   }
@@ -382,7 +396,10 @@ void vtkRelievoCasterDraw::Build(vtkProp* prop, vtkRenderer* renderer)
   vtkPolyData* input = mapper->GetInput();
   const bool faces = input && input->GetNumberOfPoints() > 0 && input->GetNumberOfVerts() == 0 &&
     input->GetNumberOfLines() == 0;
-  if (faces && mapper->GetNumberOfSubPieces() == 1 && this->GetBuffers(actor).empty())
+  // Buffers that were filled before, but not for this window, may be another window's, which VTK
+  // releases when it draws.
+  const bool ours = Access::BuildTime(mapper) == 0 || this->IsKnown(mapper);
+  if (faces && ours && mapper->GetNumberOfSubPieces() == 1 && this->GetBuffers(actor).empty())
   {
     Access::Build(mapper, renderer, actor);
     this->Learn(mapper);
@@ -397,8 +414,13 @@ bool vtkRelievoCasterDraw::Rasterize(vtkActor* actor, const glm::dmat4& worldToN
   {
     vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
     const auto stride = static_cast<std::size_t>(vertices->GetStride());
-    const MappedBuffer places(vertices,
-      stride * static_cast<std::size_t>(Access::Buffers(mapper)->GetNumberOfTuples("vertexMC")));
+    const auto tuples =
+      static_cast<std::size_t>(Access::Buffers(mapper)->GetNumberOfTuples("vertexMC"));
+    if (tuples == 0)
+    {
+      continue;
+    }
+    const MappedBuffer places(vertices, stride * tuples);
     for (const int type :
       { vtkOpenGLPolyDataMapper::PrimitiveTris, vtkOpenGLPolyDataMapper::PrimitiveTriStrips })
     {
@@ -415,6 +437,7 @@ bool vtkRelievoCasterDraw::Rasterize(vtkActor* actor, const glm::dmat4& worldToN
       vtkRelievoDepthRaster::Mesh mesh;
       mesh.Places = static_cast<const float*>(places.Get());
       mesh.Step = stride / sizeof(float);
+      mesh.NumberOfPlaces = tuples;
       mesh.Corners = static_cast<const unsigned int*>(corners.Get());
       mesh.Triangles = count / 3;
       raster.Draw(mesh, worldToNDC * GetBufferToWorld(mapper, actor), region, clamps);

@@ -63,11 +63,12 @@ public:
   int Draw(vtkActor* actor); // returns draw calls
   void End();
 
-  // Fills the buffers of a plain mesh that the frame has yet to draw.
+  // Fills the buffers of a plain mesh that the frame has yet to draw, unless another window may
+  // have some.
   void Build(vtkProp* prop, vtkRenderer* renderer);
 
   // Draws by the processor, from the buffers, into a part of the map (vtkRelievoDepthRaster), not
-  // between Begin and End. False if OpenGL does not hand out the buffers.
+  // between Begin and End. False if OpenGL does not hand out the buffers; throws std::bad_alloc.
   bool Rasterize(vtkActor* actor, const glm::dmat4& worldToNDC, const int region[4], bool clamps,
     vtkRelievoDepthRaster& raster) const;
 
@@ -76,6 +77,7 @@ public:
 private:
   // The mappers whose buffers contain all of the actor's geometry; none if it draws anything else.
   std::vector<vtkOpenGLPolyDataMapper*> GetBuffers(vtkActor* actor) const;
+  bool IsKnown(vtkOpenGLPolyDataMapper* mapper) const; // by its present buffers
   bool IsBuilt(vtkOpenGLPolyDataMapper* mapper) const;
   static bool DrawsOnlyFaces(vtkActor* actor); // as its property and its mapper's settings are
   static glm::dmat4 GetBufferToWorld(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);

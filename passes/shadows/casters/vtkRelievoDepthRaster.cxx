@@ -13,6 +13,7 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
+#include <new>
 
 namespace
 {
@@ -336,48 +337,20 @@ public:
   {
   }
 
+  // In any thread, in which nothing may be thrown.
   template <typename Way>
   void DrawChunk(std::size_t chunk)
   {
-    const std::size_t first = chunk * ChunkSize;
-    const std::size_t last = std::min(this->Mesh.Triangles, first + ChunkSize);
-    const unsigned int* const begin = this->Mesh.Corners + 3 * first;
-    const unsigned int* const end = this->Mesh.Corners + 3 * last;
-    const auto ends = std::minmax_element(begin, end);
-    const std::size_t lowest = *ends.first;
-    const std::size_t count = *ends.second - lowest + 1;
-    // Neighbours share corners, unless their order is random.
-    const bool shared = count <= static_cast<std::size_t>(end - begin);
-    std::vector<Corner> corners(shared ? count : 0);
-    for (std::size_t i = 0; i < corners.size(); ++i)
+    try
     {
-      corners[i] = this->ToMap.Get(this->GetPlace(lowest + i));
+      this->DrawTriangles<Way>(chunk);
     }
-    std::vector<Triangle> large;
-    for (const unsigned int* at = begin; at != end; at += 3)
+    catch (const std::bad_alloc&)
     {
-      if (shared)
-      {
-        this->Draw<Way>(
-          at, corners[at[0] - lowest], corners[at[1] - lowest], corners[at[2] - lowest], large);
-      }
-      else
-      {
-        // Most corners are not in the cache.
-        for (int i = 0; i < 3; ++i)
-        {
-          Fetch(this->GetPlace(at[std::min(Ahead, end - 3 - at) + i]));
-        }
-        this->Draw<Way>(at, this->ToMap.Get(this->GetPlace(at[0])),
-          this->ToMap.Get(this->GetPlace(at[1])), this->ToMap.Get(this->GetPlace(at[2])), large);
-      }
-    }
-    if (!large.empty())
-    {
-      const std::lock_guard<std::mutex> lock(this->Adding);
-      this->Large.insert(this->Large.end(), large.begin(), large.end());
+      this->Failed = true;
     }
   }
+  bool HasFailed() const { return this->Failed; }
 
   std::size_t GetNumberOfChunks() const
   {
@@ -406,6 +379,50 @@ public:
   }
 
 private:
+  template <typename Way>
+  void DrawTriangles(std::size_t chunk)
+  {
+    const std::size_t first = chunk * ChunkSize;
+    const std::size_t last = std::min(this->Mesh.Triangles, first + ChunkSize);
+    const unsigned int* const begin = this->Mesh.Corners + 3 * first;
+    const unsigned int* const end = this->Mesh.Corners + 3 * last;
+    const auto ends = std::minmax_element(begin, end);
+    const std::size_t lowest = *ends.first;
+    const std::size_t count = *ends.second - lowest + 1;
+    const bool valid = *ends.second < this->Mesh.NumberOfPlaces;
+    // Neighbours share corners, unless their order is random.
+    const bool shared = valid && count <= static_cast<std::size_t>(end - begin);
+    std::vector<Corner> corners(shared ? count : 0);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      corners[i] = this->ToMap.Get(this->GetPlace(lowest + i));
+    }
+    std::vector<Triangle> large;
+    for (const unsigned int* at = begin; at != end; at += 3)
+    {
+      if (shared)
+      {
+        this->Draw<Way>(
+          at, corners[at[0] - lowest], corners[at[1] - lowest], corners[at[2] - lowest], large);
+      }
+      else if (valid || *std::max_element(at, at + 3) < this->Mesh.NumberOfPlaces)
+      {
+        // Most corners are not in the cache.
+        for (int i = 0; i < 3; ++i)
+        {
+          Fetch(this->GetPlace(at[std::min(Ahead, end - 3 - at) + i]));
+        }
+        this->Draw<Way>(at, this->ToMap.Get(this->GetPlace(at[0])),
+          this->ToMap.Get(this->GetPlace(at[1])), this->ToMap.Get(this->GetPlace(at[2])), large);
+      }
+    }
+    if (!large.empty())
+    {
+      const std::lock_guard<std::mutex> lock(this->Adding);
+      this->Large.insert(this->Large.end(), large.begin(), large.end());
+    }
+  }
+
   const float* GetPlace(std::size_t corner) const
   {
     return this->Mesh.Places + corner * this->Mesh.Step;
@@ -463,6 +480,7 @@ private:
   const Target& To;
   std::mutex Adding;
   std::vector<Triangle> Large;
+  std::atomic<bool> Failed{ false };
 };
 }
 
@@ -493,13 +511,19 @@ void vtkRelievoDepthRaster::Draw(
     {
       drawing.DrawBand(i);
     }
-    return;
   }
-  vtkRelievoForAll(static_cast<vtkIdType>(chunks),
-    [&drawing](vtkIdType i) { drawing.DrawChunk<Together>(static_cast<std::size_t>(i)); });
-  if (drawing.HasLarge())
+  else
   {
-    vtkRelievoForAll(drawing.GetNumberOfBands(),
-      [&drawing](vtkIdType i) { drawing.DrawBand(static_cast<int>(i)); });
+    vtkRelievoForAll(static_cast<vtkIdType>(chunks),
+      [&drawing](vtkIdType i) { drawing.DrawChunk<Together>(static_cast<std::size_t>(i)); });
+    if (drawing.HasLarge())
+    {
+      vtkRelievoForAll(drawing.GetNumberOfBands(),
+        [&drawing](vtkIdType i) { drawing.DrawBand(static_cast<int>(i)); });
+    }
+  }
+  if (drawing.HasFailed())
+  {
+    throw std::bad_alloc();
   }
 }

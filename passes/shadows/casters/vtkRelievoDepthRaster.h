@@ -20,16 +20,18 @@ public:
   struct Mesh
   {
     const float* Places = nullptr; // of corners, three numbers each
-    std::size_t Step = 3;          // numbers from one place to the next
+    std::size_t NumberOfPlaces = 0;
+    std::size_t Step = 3; // numbers from one place to the next
     const unsigned int* Corners = nullptr;
     std::size_t Triangles = 0;
   };
 
-  // Sets all depths of a map of size x size texels to 1, the farthest one.
+  // Sets all depths of a map of size x size texels to 1, the farthest one. Throws std::bad_alloc.
   void Clear(int size);
 
   // Draws into a part of the map (x, y, width, height in texels) that covers NDC from -1 to 1.
   // `clamps`: places in front of the near plane get depth 0; otherwise they are cut off.
+  // Triangles with a corner that is no place are left out. Throws std::bad_alloc, in this thread.
   void Draw(const Mesh& mesh, const glm::dmat4& modelToNDC, const int region[4], bool clamps);
 
   // Row by row, from the lowest one.

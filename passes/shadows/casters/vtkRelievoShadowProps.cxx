@@ -441,6 +441,7 @@ int vtkRelievoShadowProps::RasterizeCasters(vtkRenderer* renderer, const vtkReli
   vtkRelievoDepthRaster& raster)
 {
   int drawn = 0;
+  std::set<vtkProp*> seen;
   for (std::size_t i = 0; i < this->Casters.size(); ++i)
   {
     const Caster& caster = this->Casters[i];
@@ -449,7 +450,11 @@ int vtkRelievoShadowProps::RasterizeCasters(vtkRenderer* renderer, const vtkReli
       continue;
     }
     vtkActor* actor = plainDraw.GetPlainActor(caster.Prop);
-    if (!actor && std::find(this->Seen.begin(), this->Seen.end(), caster.Prop) != this->Seen.end())
+    if (!actor && seen.empty())
+    {
+      seen.insert(this->Seen.begin(), this->Seen.end());
+    }
+    if (!actor && seen.count(caster.Prop) > 0)
     {
       plainDraw.Build(caster.Prop, renderer);
       actor = plainDraw.GetPlainActor(caster.Prop);
@@ -466,14 +471,14 @@ int vtkRelievoShadowProps::RasterizeCasters(vtkRenderer* renderer, const vtkReli
 
 //------------------------------------------------------------------------------
 int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
-  vtkRelievoCasterDraw& plainDraw, bool withoutFollowed)
+  vtkRelievoCasterDraw& plainDraw, bool withoutFollowed, bool withoutRastered)
 {
   std::vector<vtkActor*> plain;
   for (std::size_t i = 0; i < this->Casters.size(); ++i)
   {
     const Caster& caster = this->Casters[i];
     if (!this->IsInMaps(caster, withoutFollowed) || !view.Sees(this->CasterBoxes[i]) ||
-      this->Rastered.count(caster.Prop) > 0)
+      (withoutRastered && this->Rastered.count(caster.Prop) > 0))
     {
       continue;
     }

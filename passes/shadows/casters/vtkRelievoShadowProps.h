@@ -105,10 +105,10 @@ public:
     vtkRelievoCasterDraw& plainDraw, bool withoutFollowed, vtkRelievoDepthRaster& raster);
 
   // Draws the depth of casters in the view, or of those left by Follow: plain meshes from their
-  // buffers, other props by themselves, except those drawn by RasterizeCasters. Returns the draw
-  // calls for plain meshes.
+  // buffers, other props by themselves, without those drawn by RasterizeCasters if so chosen.
+  // Returns the draw calls for plain meshes.
   int RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
-    vtkRelievoCasterDraw& plainDraw, bool withoutFollowed);
+    vtkRelievoCasterDraw& plainDraw, bool withoutFollowed, bool withoutRastered);
 
   // Discards data about glyphs, which are computed again when needed.
   void ForgetGlyphs() { this->Glyphs = vtkRelievoGlyphPlaces(); }

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace
 {
@@ -151,7 +152,7 @@ void vtkRelievoShadowMaps::Begin()
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
-  const CastersInMemory& inMemory, const std::function<void(const vtkRelievoShadowView&)>& casters)
+  const CastersInMemory& inMemory, const Casters& casters)
 {
   if (!this->Camera)
   {
@@ -185,12 +186,20 @@ void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
     }
   };
   bool drawn = false;
-  if (inMemory)
+  try
   {
-    this->Raster.Clear(this->Size);
-    forPieces([&](const vtkRelievoShadowView& piece, const int region[4]) {
-      drawn = inMemory(piece, region, this->Raster);
-    });
+    if (inMemory)
+    {
+      this->Raster.Clear(this->Size);
+      forPieces([&](const vtkRelievoShadowView& piece, const int region[4]) {
+        drawn = inMemory(piece, region, this->Raster);
+      });
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Raster = vtkRelievoDepthRaster();
+    drawn = false;
   }
   glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Texture, 0, layer);
   if (drawn)
@@ -203,13 +212,13 @@ void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
     glClearBufferfv(GL_DEPTH, 0, &farthest);
   }
   forPieces([&](const vtkRelievoShadowView& piece, const int region[4]) {
-    this->DrawPiece(piece, region, renderer, casters);
+    this->DrawPiece(piece, region, renderer, drawn, casters);
   });
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowMaps::DrawPiece(const vtkRelievoShadowView& view, const int region[4],
-  vtkRenderer* renderer, const std::function<void(const vtkRelievoShadowView&)>& casters)
+  vtkRenderer* renderer, bool others, const Casters& casters)
 {
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglViewport(region[0], region[1], region[2], region[3]);
@@ -227,7 +236,7 @@ void vtkRelievoShadowMaps::DrawPiece(const vtkRelievoShadowView& view, const int
   vtkCamera*& active = vtkRelievoAccess::Renderer::CameraInUse(renderer);
   vtkCamera* const own = active;
   active = this->Camera;
-  casters(view);
+  casters(view, others);
   active = own;
 }
 

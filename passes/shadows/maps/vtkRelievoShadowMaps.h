@@ -59,12 +59,13 @@ public:
   // matrices to exactly those used for drawing.
   void Begin();
   // `inMemory`, if given, is called first, also for each piece: it draws casters by the processor
-  // into a part of the map (x, y, width, height), and returns whether the map has any.
+  // into a part of the map (x, y, width, height), and returns whether the map has any. `casters`
+  // draws the others, or all if memory has no room for the map.
   using CastersInMemory =
     std::function<bool(const vtkRelievoShadowView&, const int[4], vtkRelievoDepthRaster&)>;
+  using Casters = std::function<void(const vtkRelievoShadowView&, bool others)>;
   void Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
-    const CastersInMemory& inMemory,
-    const std::function<void(const vtkRelievoShadowView&)>& casters);
+    const CastersInMemory& inMemory, const Casters& casters);
   void End();
 
   // Reads the depths of the last map, row by row, and replaces them.
@@ -87,7 +88,7 @@ public:
 
 private:
   void DrawPiece(const vtkRelievoShadowView& view, const int region[4], vtkRenderer* renderer,
-    const std::function<void(const vtkRelievoShadowView&)>& casters);
+    bool others, const Casters& casters);
   void BindTexture(unsigned int texture);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

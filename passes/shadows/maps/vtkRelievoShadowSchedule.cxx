@@ -82,8 +82,9 @@ int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowContext& work, vtkRenderer* r
 {
   int draws = 0;
   work.MapsDrawn = 0;
-  // Software OpenGL is not faster for any number of triangles and any size of maps: with twelve
-  // triangles in maps of 1024 to 8192, both take the same time.
+  // Software OpenGL is not faster for any number of triangles. Processor seconds of first pictures
+  // by OpenGL and by the processor, medians of five: a cube 0.95 and 0.95, a sphere of 1056
+  // triangles 1.20 and 1.24, one of 10 080 triangles 1.27 and 1.26.
   const bool software = vtkRelievoIsSoftwareOpenGL();
   int inMap = 0;
   auto inMemory = [&](const vtkRelievoShadowView& view, const int region[4],
@@ -110,8 +111,9 @@ int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowContext& work, vtkRenderer* r
       work.Props.BeginRaster();
       work.Maps.Draw(map.Layer, map.View, renderer,
         software ? inMemory : vtkRelievoShadowMaps::CastersInMemory(),
-        [&](const vtkRelievoShadowView& view) {
-          draws += work.Props.RenderCasters(renderer, view, work.PlainDraw, work.WithoutFollowed);
+        [&](const vtkRelievoShadowView& view, bool others) {
+          draws +=
+            work.Props.RenderCasters(renderer, view, work.PlainDraw, work.WithoutFollowed, others);
         });
       draws += inMap;
       if (this->Exchange.IsOn())
