@@ -129,6 +129,10 @@ METHODS = {
     "depth maps": "blue o -", "closest point": "grey x --", "not held": "black s :",
     # parts of work
     "measured": "blue o -", "model": "grey x --",
+    # what many cameras see
+    "relievo.visible": "sky s -", "capture_many": "blue o -", "write_dataset": "green D --",
+    "VTK, colours": "grey x -- VTK", "vtkHardwareSelector": "grey v : VTK's selector",
+    "PyVista, colours": "grey ^ : PyVista", "Embree by trimesh": "grey s -. Embree",
     # bones
     "slerp": "blue o -", "nlerp": "green D --", "key-matrix": "vermillion s -.",
     "linear": "blue o -", "dual quaternion": "green D --", "rigid, GPU": "grey ^ :",

@@ -688,6 +688,32 @@ def scaling_out(rows):
         panels(rows, "number", "processor seconds", panel=None))  # fmt: skip
 
 
+@bench("many-views.csv")
+def many_views(rows):
+    """Time and memory of cameras and views, by bench/many_views.py."""
+
+    def scene(row):
+        triangles = f"{round(number(row, 'triangles'), -3):,.0f}".replace(",", " ")
+        what = "cells seen" if row["subject"] == "cameras" else f"views {row['columns']} wide"
+        return f"{what}, {triangles} triangles"
+
+    def each(row):
+        return 1000 * number(row, "processor seconds") / number(row, "number")
+
+    measured = [row for row in rows if row["kind"] == "measured"]
+    for stem, title, note, unit, column in (
+        ("many-views", "Many cameras and views: processor time of each",
+         "Level curves: time grows in proportion.",
+         Axis("processor milliseconds each", log=True), each),
+        ("many-views-memory", "Many cameras and views: memory",
+         "The peak during the call, more than before it. Less than 1 MiB is left out.",
+         Axis("MiB", log=True), "MiB"),
+    ):  # fmt: skip
+        yield Chart(stem, title, f"Lower is better. {note} Grey: others.",
+                    Axis("cameras or views", True), unit,
+                    panels(measured, "number", column, panel=scene), columns=2)  # fmt: skip
+
+
 @bench("viewshed.csv")
 def viewshed(rows):
     """Time of viewsheds, and their differences from lines of sight, by bench/viewshed.py."""

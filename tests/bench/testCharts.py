@@ -198,6 +198,19 @@ def blocks(y):
                   lambda row: row["blocks"] == "128")  # fmt: skip
 
 
+def many_views(y):
+    """Measured points of bench/many_views.py."""
+    names = {("cameras", "320"): "cells seen", ("views", "64"): "views 64 wide",
+             ("views", "320"): "views 320 wide"}  # fmt: skip
+    sizes = {"1024": "1 000", "99856": "100 000"}
+    return points(
+        "many-views",
+        lambda row: f"{names[row['subject'], row['columns']]}, "
+        f"{sizes[row['triangles']]} triangles", "[method]", "[number]", y, None,
+        lambda row: row["kind"] == "measured")
+
+
+
 FRAMES = {
     "attached, nothing asked": "attached, idle", "normal + depth": "normal, depth",
     "normal + depth + albedo + ids": "… and albedo, ids",
@@ -327,6 +340,9 @@ TRUTH = {
              None, lambda row: is_irradiation(row) and row["largest bound %"]),
     "scaling-out": points("scaling-out", "", "[method]", "[number]", "[processor seconds]", None,
                           lambda row: row["subject"] == "part"),
+    "many-views": many_views(
+        lambda row: 1000 * float(row["processor seconds"]) / float(row["number"])),
+    "many-views-memory": many_views("[MiB]"),
     "viewshed": points("viewshed", "", "[method]", millions, "[processor seconds]"),
     "viewshed-difference":
         points("viewshed", "through the triangles", "[method]", millions,

@@ -177,6 +177,30 @@ class Viewshed(unittest.TestCase):
             self.assertGreater(float(row["MiB"]), 0)
 
 
+@unittest.skipUnless(importlib.util.find_spec("relievo"), "no package relievo")
+class ManyViews(unittest.TestCase):
+    def test_small_table(self):
+        """All methods find nearly all cells that Relievo finds, and estimates go on in lines."""
+        rows = rows_of("many_views.py", "--rounds", "1")
+        for subject, methods in (
+            ("cameras", {"relievo.visible", "VTK, colours", "vtkHardwareSelector"}),
+            ("views", {"capture_many", "VTK, colours", "write_dataset"}),
+        ):
+            shown = [row for row in rows if row["subject"] == subject]
+            self.assertLessEqual(methods, {row["method"] for row in shown})
+            for few, many, estimated in zip(shown[::3], shown[1::3], shown[2::3], strict=True):
+                self.assertEqual([row["kind"] for row in (few, many, estimated)],
+                                 ["measured", "measured", "estimated"])  # fmt: skip
+                (n, t), (m, u), (k, v) = ((int(row["number"]), float(row["processor seconds"]))
+                                          for row in (few, many, estimated))  # fmt: skip
+                self.assertTrue(0 < t < u < v)
+                self.assertAlmostEqual((u - t) / (m - n) / ((v - u) / (k - m)), 1, delta=0.1)
+                self.assertAlmostEqual(float(many["exponent"]) * math.log(m / n),
+                                       math.log(u / t), delta=0.02)  # fmt: skip
+                for row in (few, many):
+                    self.assertGreaterEqual(float(row["found, %"] or 100), 98)
+
+
 class Scale(unittest.TestCase):
     def measure(self, *words):
         with tempfile.TemporaryDirectory() as folder:
