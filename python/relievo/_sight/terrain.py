@@ -127,8 +127,8 @@ def terrain(heights, transform=None, nodata=None) -> Terrain:
     from its first row and column to its last ones.
 
     Raises ValueError for invalid arguments, for rasters of less than two rows or columns and for
-    files that are no GeoTIFF, OSError for a file that cannot be read, MemoryError if the file or the
-    mesh does not fit into the memory left.
+    files that are no GeoTIFF, OSError for a file that cannot be read, MemoryError if the file or
+    the mesh does not fit into the memory left.
     """
     if isinstance(heights, (str, os.PathLike)):
         if transform is not None or nodata is not None:
