@@ -809,6 +809,11 @@ private Q_SLOTS:
     this->Type("longitude", 11.6);
     QCOMPARE(this->GetLights()[0], std::string("sun:2026-06-21T12:00+01:00,48,11.6"));
     QVERIFY2(says().contains("UTC+1 (from the longitude"), qPrintable(says()));
+    QVERIFY2(!says().contains("In summer"), qPrintable(says())); // where it is day as well
+    this->Type("time", 20.5); // sunset is at 21:17 in summer time
+    QVERIFY2(says().startsWith("Night") && says().endsWith("In summer time (UTC+2) it is day."),
+      qPrintable(says()));
+    this->Type("time", 12.0);
     this->Type("timezone", 2.0);
     QCOMPARE(this->GetLights()[0], std::string("sun:2026-06-21T12:00+02:00,48,11.6"));
     QVERIFY2(!says().contains("longitude"), qPrintable(says()));

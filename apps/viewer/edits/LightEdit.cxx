@@ -277,14 +277,25 @@ void LightEdit::ShowSun(const look::LightChoice& light)
 void LightEdit::ShowWords()
 {
   const bool byPlace = this->Sun->IsByPlace();
-  const double zone = this->Time.TimeZone;
-  const QString words = relievoQt::SunEdit::WritePlace(
+  QString words = relievoQt::SunEdit::WritePlace(
     this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue(), byPlace);
-  this->Sun->SetWords(!byPlace || this->OwnZone ? words
-                                                : words +
-        QString(" Clock: UTC%1%2 (from the longitude, no summer time).")
-          .arg(zone < 0.0 ? QChar(0x2212) : QChar('+'))
-          .arg(std::abs(zone)));
+  if (byPlace && !this->OwnZone)
+  {
+    look::SunTime summer = this->Time;
+    summer.TimeZone += 1.0;
+    const auto nameZone = [](double zone) {
+      return QString("UTC%1%2").arg(zone < 0.0 ? QChar(0x2212) : QChar('+')).arg(std::abs(zone));
+    };
+    words += QString(" Clock: %1 (from the longitude, no summer time).")
+               .arg(nameZone(this->Time.TimeZone));
+    const bool night = look::GetSunAngles(summer).IsNight();
+    if (night != look::GetSunAngles(this->Time).IsNight())
+    {
+      words += QString(" In summer time (%1) it is %2.")
+                 .arg(nameZone(summer.TimeZone), night ? "night" : "day");
+    }
+  }
+  this->Sun->SetWords(words);
 }
 
 //------------------------------------------------------------------------------

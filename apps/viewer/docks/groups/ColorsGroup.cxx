@@ -92,7 +92,8 @@ ColorsGroup::ColorsGroup(
 {
   QFormLayout* rows = this->GetRows();
   this->ColorBy->setObjectName("colorby");
-  this->ColorBy->setToolTip("The point or cell array whose values give the colours");
+  this->ColorBy->setToolTip("The point or cell array whose values give the colours. Depth and "
+                            "normals are in the panel Layers");
   this->Component->setObjectName("component");
   this->Component->setToolTip("The component of arrays with several numbers per point or cell");
   rows->addRow("Colour by", this->ColorBy);
@@ -151,7 +152,7 @@ void ColorsGroup::AddMap()
   this->Steps->setKeyboardTracking(false);
   this->Steps->setToolTip("Number of colours; smooth: continuous");
   this->Nan->setObjectName("nan");
-  this->Nan->setToolTip("The colour of NaN");
+  this->Nan->setToolTip("The colour of missing values (NaN)");
   auto* fold = new QToolButton(this);
   fold->setObjectName("editStops");
   fold->setText("Edit colours");
@@ -166,7 +167,7 @@ void ColorsGroup::AddMap()
   rows->addRow("", this->Reversed);
   rows->addRow("", this->Log);
   rows->addRow("Steps", this->Steps);
-  rows->addRow("No number", this->Nan);
+  rows->addRow("Missing", this->Nan);
   QObject::connect(fold, &QToolButton::toggled, this, [this, fold](bool open) {
     fold->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     this->Stops->setVisible(open);
