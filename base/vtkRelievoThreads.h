@@ -8,7 +8,9 @@
 #include "vtkSMP.h" // for VTK's backends
 #include "vtkSMPTools.h"
 
+#include <atomic>
 #include <cstdlib>
+#include <new>
 #include <string>
 
 // Runs the work. A backend chosen by the user (vtkSMPTools::SetBackend, or the environment variable
@@ -23,27 +25,43 @@ void vtkRelievoWithThreads(Work&& work)
     // The number of threads remains that of vtkSMPTools::Initialize. Names are in capitals, and so
     // without LocalScope: VTK converts names to capitals by the user's locale, and Turkish has no I
     // for i.
+    struct Restore
+    {
+      ~Restore() { vtkSMPTools::SetBackend("SEQUENTIAL"); }
+    } const restore;
     vtkSMPTools::SetBackend("STDTHREAD");
     work();
-    vtkSMPTools::SetBackend("SEQUENTIAL");
     return;
   }
 #endif
   work();
 }
 
-// Runs work(i) for each i below `count`.
+// Runs work(i) for each i below `count`, in groups of `grain` (0: of VTK's choice). Lack of memory in
+// a thread, where an exception would end the process, is thrown to the caller.
 template <typename Work>
-void vtkRelievoForAll(vtkIdType count, Work&& work)
+void vtkRelievoForAll(vtkIdType count, Work&& work, vtkIdType grain = 0)
 {
+  std::atomic<bool> lacks{ false };
   vtkRelievoWithThreads([&]() {
-    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType i = begin; i < end; ++i)
+    vtkSMPTools::For(0, count, grain, [&](vtkIdType begin, vtkIdType end) {
+      try
       {
-        work(i);
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          work(i);
+        }
+      }
+      catch (const std::bad_alloc&)
+      {
+        lacks = true;
       }
     });
   });
+  if (lacks)
+  {
+    throw std::bad_alloc();
+  }
 }
 
 #endif

@@ -694,8 +694,8 @@ def many_views(rows):
 
     def scene(row):
         triangles = f"{round(number(row, 'triangles'), -3):,.0f}".replace(",", " ")
-        what = "cells seen" if row["subject"] == "cameras" else f"views {row['columns']} wide"
-        return f"{what}, {triangles} triangles"
+        subject = "cells seen" if row["subject"] == "cameras" else f"views {row['columns']} wide"
+        return f"{subject}, {triangles} triangles"
 
     def each(row):
         return 1000 * number(row, "processor seconds") / number(row, "number")

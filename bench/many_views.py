@@ -226,12 +226,12 @@ def measure(write, head, methods, numbers, until, rounds, found):
                 break
             costs = [cost(lambda size=number: call(size)) for _ in range(rounds)]
             last, times[number] = number, min(taken for taken, _ in costs)
-            write(*head, method, number, "measured", f"{times[number]:.3g}", slope(times),
+            write(*head, method, number, "measured", f"{times[number]:.6g}", slope(times),
                   f"{max(peak for _, peak in costs):.0f}", found(method, number))  # fmt: skip
         if len(times) > 1 and last < until:
             (few, less), (many, more) = list(times.items())[-2:]
             each = (more - less) / (many - few)
-            write(*head, method, until, "estimated", f"{more + each * (until - many):.3g}", "", "",
+            write(*head, method, until, "estimated", f"{more + each * (until - many):.6g}", "", "",
                   "")  # fmt: skip
 
 

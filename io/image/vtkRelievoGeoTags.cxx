@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdarg>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 #include <system_error>
 
 namespace relievo::image
@@ -96,12 +98,19 @@ std::optional<double> GeoTags::FindNoData() const
   const char* begin = std::find_if(
     this->NoData.data(), end, [](char letter) { return letter != ' ' && letter != '+'; });
   double value = 0.0;
-  const bool isNumber = std::from_chars(begin, end, value).ec == std::errc();
-  return isNumber ? std::optional<double>(value) : std::nullopt;
+  const std::errc error = std::from_chars(begin, end, value).ec;
+  if (error == std::errc::result_out_of_range) // too large, or almost 0
+  {
+    const bool isSmall =
+      std::string_view(begin, static_cast<std::size_t>(end - begin)).find("e-") !=
+      std::string_view::npos;
+    return isSmall ? 0.0 : *begin == '-' ? -HUGE_VAL : HUGE_VAL;
+  }
+  return error == std::errc() ? std::optional<double>(value) : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
-bool GeoTags::AreIn(const char* file)
+std::optional<GeoTags> GeoTags::Find(const char* file)
 {
   TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options, SayNothing, nullptr);
@@ -110,14 +119,24 @@ bool GeoTags::AreIn(const char* file)
   TIFFOpenOptionsFree(options);
   if (!tiff)
   {
-    return false;
+    return std::nullopt;
   }
   GeoTags tags;
   tags.Read(tiff);
-  std::uint16_t kind = PHOTOMETRIC_RGB;
+  std::uint16_t samples = 1;
+  std::uint16_t bits = 1;
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &samples);
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_BITSPERSAMPLE, &bits);
+  std::uint16_t kind = samples >= 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK;
   TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &kind);
   TIFFClose(tiff);
-  return kind == PHOTOMETRIC_MINISBLACK && (!tags.Matrix.empty() || !tags.Ties.empty());
+  const bool isPlaced =
+    tags.Matrix.size() == 16 || (tags.Scale.size() >= 2 && tags.Ties.size() >= 6);
+  if (kind != PHOTOMETRIC_MINISBLACK || bits < 8 || !isPlaced)
+  {
+    return std::nullopt;
+  }
+  return tags;
 }
 
 //------------------------------------------------------------------------------

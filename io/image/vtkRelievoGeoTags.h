@@ -27,8 +27,9 @@ struct GeoTags
   // NoData as a number, also infinite or NaN; empty: the file has none.
   std::optional<double> FindNoData() const;
 
-  // Whether the file is a TIFF of one grey channel or of bands, with a place in the world.
-  static bool AreIn(const char* file);
+  // Those of a TIFF of one grey channel or of bands, with a place in the world; empty for any other
+  // file.
+  static std::optional<GeoTags> Find(const char* file);
 
   void Read(TIFF* tiff);
   void Write(TIFF* tiff) const; // to a new file

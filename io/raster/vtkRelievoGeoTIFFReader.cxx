@@ -184,7 +184,9 @@ vtkRelievoGeoTIFFReader::~vtkRelievoGeoTIFFReader()
 //------------------------------------------------------------------------------
 int vtkRelievoGeoTIFFReader::CanReadFile(const char* name)
 {
-  return name && relievo::image::GeoTags::AreIn(name) ? 1 : 0;
+  auto tags = name ? GeoTags::Find(name) : std::nullopt;
+  const unsigned short* model = tags ? FindKey(tags->Keys, ModelType) : nullptr;
+  return tags && !(model && *model == Geographic) && !HasScale(tags->Metadata) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 #include "vtkRelievoBoxTree.h"
 
 #include "vtkRelievoAvx2.h" // for RELIEVO_INLINED
-#include "vtkRelievoForEach.h"
+#include "vtkRelievoThreads.h"
 
 #include <algorithm>
 #include <limits>
@@ -251,7 +251,7 @@ void vtkRelievoBoxTree::Build(const std::vector<Box>& boxes, int leafSize)
         next[2 * i] = this->MakeNode(boxes, now[i], next[2 * i + 1]);
       }
     };
-    vtkRelievoForEach(static_cast<vtkIdType>(now.size()), make);
+    vtkRelievoForAll(static_cast<vtkIdType>(now.size()), make, 1);
     large.clear();
     for (const Task& task : next)
     {
@@ -262,7 +262,7 @@ void vtkRelievoBoxTree::Build(const std::vector<Box>& boxes, int leafSize)
     }
   }
   const auto makeBelow = [&](vtkIdType i) { this->MakeSubtree(boxes, small[i]); };
-  vtkRelievoForEach(static_cast<vtkIdType>(small.size()), makeBelow);
+  vtkRelievoForAll(static_cast<vtkIdType>(small.size()), makeBelow, 1);
   this->FitNodes(boxes);
 }
 

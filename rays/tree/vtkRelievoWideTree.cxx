@@ -3,8 +3,8 @@
 #include "vtkRelievoWideTree.h"
 
 #include "vtkRelievoBoxRecords.h"
-#include "vtkRelievoForEach.h"
 #include "vtkRelievoRayFile.h"
+#include "vtkRelievoThreads.h"
 
 #include <limits>
 
@@ -162,7 +162,7 @@ void vtkRelievoWideTree::Build(int count, const GetBox& getBox, int leafSize)
       const std::size_t index = first + static_cast<std::size_t>(i);
       children[i] = MakeNode(records, large[i], leafSize, static_cast<int>(index), top[index]);
     };
-    vtkRelievoForEach(static_cast<vtkIdType>(large.size()), make);
+    vtkRelievoForAll(static_cast<vtkIdType>(large.size()), make, 1);
     open.clear();
     for (std::size_t i = 0; i < large.size(); ++i)
     {
@@ -188,7 +188,7 @@ void vtkRelievoWideTree::Build(int count, const GetBox& getBox, int leafSize)
     const auto make = [&](vtkIdType i) {
       MakeSubtree(records, below[begin + static_cast<std::size_t>(i)], leafSize, subtrees[i]);
     };
-    vtkRelievoForEach(static_cast<vtkIdType>(subtrees.size()), make);
+    vtkRelievoForAll(static_cast<vtkIdType>(subtrees.size()), make, 1);
     for (std::size_t i = 0; i < subtrees.size(); ++i)
     {
       const Task& task = below[begin + i];

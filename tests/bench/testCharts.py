@@ -210,7 +210,6 @@ def many_views(y):
         lambda row: row["kind"] == "measured")
 
 
-
 FRAMES = {
     "attached, nothing asked": "attached, idle", "normal + depth": "normal, depth",
     "normal + depth + albedo + ids": "… and albedo, ids",

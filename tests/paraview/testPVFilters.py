@@ -52,18 +52,19 @@ def points(source, name):
     return found.reshape(made.GetNumberOfPoints(), -1)
 
 
-def write_heights(name, heights, corner=None):
-    """A TIFF of floats in one strip; with the place of its upper left corner, of cells of 1."""
+def write_heights(name, heights, corner=None, model=1):
+    """A TIFF of floats in one strip; with the place of its upper left corner, of cells of 1, and the
+    kind of its coordinates (OGC 19-008: 1 projected, 2 degrees)."""
     data = heights.astype("<f4").tobytes()
     rows, columns = heights.shape
     tags = [(256, 4, columns), (257, 4, rows), (258, 3, 32), (259, 3, 1), (262, 3, 1), (273, 4, 8),
             (277, 3, 1), (278, 4, rows), (279, 4, len(data)), (339, 3, 3)]  # fmt: skip
     tags = [(tag, kind, 1, value) for tag, kind, value in tags]
-    after = 8 + len(data) + 2 + 12 * (len(tags) + 2) + 4
+    after = 8 + len(data) + 2 + 12 * (len(tags) + 3) + 4
     place = b""
     if corner:
-        tags += [(33550, 12, 3, after), (33922, 12, 6, after + 24)]
-        place = struct.pack("<9d", 1, 1, 0, 0, 0, 0, *corner, 0)
+        tags += [(33550, 12, 3, after), (33922, 12, 6, after + 24), (34735, 3, 8, after + 72)]
+        place = struct.pack("<9d8H", 1, 1, 0, 0, 0, 0, *corner, 0, 1, 1, 0, 1, 1024, 0, 1, model)
     path = pv.OUTPUT / name
     path.write_bytes(
         struct.pack("<2sHI", b"II", 42, 8 + len(data)) + data + struct.pack("<H", len(tags))
@@ -296,14 +297,15 @@ output.VTKObject.SetPolys(cells)
 
     def test_viewshed(self):
         """A terrain of a GeoTIFF: from a height h, a ridge of height H at a distance x hides level
-        ground to x h/(h - H). TIFFs that are pictures are not offered as terrains."""
+        ground to x h/(h - H). Only TIFFs that can be read as terrains are offered."""
         heights = numpy.zeros((3, 200))
         heights[:, 60] = 8
         file = write_heights("terrain.tif", heights, (689299.5, 5337202.5))
         picture = write_heights("picture.tif", heights)
+        degrees = write_heights("degrees.tif", heights, (11.5, 48.1), 2)
         factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
         session = servermanager.ActiveConnection.Session
-        for path, offered in ((file, True), (picture, False)):
+        for path, offered in ((file, True), (picture, False), (degrees, False)):
             readers = factory.GetReaders(path, session)
             names = [readers.GetString(i) for i in range(readers.GetNumberOfStrings())]
             self.assertEqual("RelievoTerrainReader" in names, offered, path)

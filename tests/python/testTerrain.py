@@ -326,6 +326,7 @@ class SparseFiles(Folder):
             ("u1", None, 0), ("i2", "-32768", numpy.nan), ("f4", "-9999.9", numpy.nan),
             ("f8", "nan", numpy.nan), ("f4", "-inf", numpy.nan), ("f4", None, 0),
             ("u1", "-9999", 0), ("u1", "300", 255), ("i2", "nan", 0), ("u2", "7.6", 8),
+            ("f8", "-1.79769313486232e+308", numpy.nan),
         ):  # fmt: skip
             for block in ((16, 32), (7, 50)):
                 values = numbers.astype(kind)

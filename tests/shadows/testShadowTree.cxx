@@ -13,8 +13,8 @@
 #include "ShadowScenes.h"
 #include "Stage.h"
 #include "TestCase.h"
-#include "vtkRelievoForEach.h"
 #include "vtkRelievoTextureBuffer.h"
+#include "vtkRelievoThreads.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -161,7 +161,7 @@ void TestThreads()
   bool lacks = false;
   try
   {
-    vtkRelievoForEach(64, [](vtkIdType i) {
+    vtkRelievoForAll(64, [](vtkIdType i) {
       if (i == 40)
       {
         throw std::bad_alloc();

@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <new>
 #include <set>
 
 namespace
@@ -220,11 +221,7 @@ std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor*
   if (std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0)
   {
     auto* own = static_cast<vtkOpenGLPolyDataMapper*>(mapper);
-    vtkPolyData* input = own->GetInput();
-    const bool current = input && own->CurrentInput == input &&
-      Access::BuildTime(own) >= input->GetMTime() && Access::BuildTime(own) >= own->GetMTime() &&
-      Access::AreBuffersOf(own, actor);
-    mappers.assign(current ? 1 : 0, own);
+    mappers.assign(IsCurrent(own, actor) ? 1 : 0, own);
   }
 #ifdef RELIEVO_VTK_COMPOSITE_HELPERS
   else if (std::strcmp(mapper->GetClassName(), "vtkCompositePolyDataMapper2") == 0)
@@ -235,6 +232,37 @@ std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor*
   const bool built = std::all_of(mappers.begin(), mappers.end(),
     [this](vtkOpenGLPolyDataMapper* each) { return this->IsBuilt(each); });
   return built ? mappers : std::vector<vtkOpenGLPolyDataMapper*>();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::IsCurrent(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  vtkPolyData* input = mapper->GetInput();
+  return input && mapper->CurrentInput == input && Access::BuildTime(mapper) >= input->GetMTime() &&
+    Access::BuildTime(mapper) >= mapper->GetMTime() && Access::AreBuffersOf(mapper, actor);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::LacksBuffers(vtkProp* prop) const
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!actor || !DrawsOnlyFaces(actor) || IsOffset(actor))
+  {
+    return false;
+  }
+  const char* kind = actor->GetMapper()->GetClassName();
+  if (std::strcmp(kind, "vtkOpenGLPolyDataMapper") == 0)
+  {
+    auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
+    vtkPolyData* input = mapper->GetInput();
+    return input && input->GetNumberOfVerts() == 0 && input->GetNumberOfLines() == 0 &&
+      !(this->IsKnown(mapper) && IsCurrent(mapper, actor));
+  }
+#ifdef RELIEVO_VTK_COMPOSITE_HELPERS
+  return std::strcmp(kind, "vtkCompositePolyDataMapper2") == 0 && this->GetBuffers(actor).empty();
+#else
+  return false;
+#endif
 }
 
 //------------------------------------------------------------------------------
@@ -387,7 +415,8 @@ void vtkRelievoCasterDraw::End()
 void vtkRelievoCasterDraw::Build(vtkProp* prop, vtkRenderer* renderer)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
-  if (!actor || !DrawsOnlyFaces(actor) ||
+  // Opaque actors are drawn in any frame that is not aborted.
+  if (!actor || !DrawsOnlyFaces(actor) || actor->HasTranslucentPolygonalGeometry() ||
     std::strcmp(actor->GetMapper()->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
   {
     return;
@@ -407,7 +436,7 @@ void vtkRelievoCasterDraw::Build(vtkProp* prop, vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoCasterDraw::Rasterize(vtkActor* actor, const glm::dmat4& worldToNDC,
+void vtkRelievoCasterDraw::Rasterize(vtkActor* actor, const glm::dmat4& worldToNDC,
   const int region[4], bool clamps, vtkRelievoDepthRaster& raster) const
 {
   for (vtkOpenGLPolyDataMapper* mapper : this->GetBuffers(actor))
@@ -432,7 +461,7 @@ bool vtkRelievoCasterDraw::Rasterize(vtkActor* actor, const glm::dmat4& worldToN
       const MappedBuffer corners(Access::Indices(mapper, type), count * sizeof(unsigned int));
       if (!places.Get() || !corners.Get())
       {
-        return false;
+        throw std::bad_alloc();
       }
       vtkRelievoDepthRaster::Mesh mesh;
       mesh.Places = static_cast<const float*>(places.Get());
@@ -443,7 +472,6 @@ bool vtkRelievoCasterDraw::Rasterize(vtkActor* actor, const glm::dmat4& worldToN
       raster.Draw(mesh, worldToNDC * GetBufferToWorld(mapper, actor), region, clamps);
     }
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -67,9 +67,12 @@ public:
   // have some.
   void Build(vtkProp* prop, vtkRenderer* renderer);
 
+  // Whether GetPlainActor may find the prop, which it does not now, once VTK has drawn it.
+  bool LacksBuffers(vtkProp* prop) const;
+
   // Draws by the processor, from the buffers, into a part of the map (vtkRelievoDepthRaster), not
-  // between Begin and End. False if OpenGL does not hand out the buffers; throws std::bad_alloc.
-  bool Rasterize(vtkActor* actor, const glm::dmat4& worldToNDC, const int region[4], bool clamps,
+  // between Begin and End. Throws std::bad_alloc, also if OpenGL does not hand out the buffers.
+  void Rasterize(vtkActor* actor, const glm::dmat4& worldToNDC, const int region[4], bool clamps,
     vtkRelievoDepthRaster& raster) const;
 
   void Release(vtkWindow* window);
@@ -78,6 +81,7 @@ private:
   // The mappers whose buffers contain all of the actor's geometry; none if it draws anything else.
   std::vector<vtkOpenGLPolyDataMapper*> GetBuffers(vtkActor* actor) const;
   bool IsKnown(vtkOpenGLPolyDataMapper* mapper) const; // by its present buffers
+  static bool IsCurrent(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
   bool IsBuilt(vtkOpenGLPolyDataMapper* mapper) const;
   static bool DrawsOnlyFaces(vtkActor* actor); // as its property and its mapper's settings are
   static glm::dmat4 GetBufferToWorld(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);

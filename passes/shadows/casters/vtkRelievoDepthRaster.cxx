@@ -13,7 +13,6 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
-#include <new>
 
 namespace
 {
@@ -337,21 +336,6 @@ public:
   {
   }
 
-  // In any thread, in which nothing may be thrown.
-  template <typename Way>
-  void DrawChunk(std::size_t chunk)
-  {
-    try
-    {
-      this->DrawTriangles<Way>(chunk);
-    }
-    catch (const std::bad_alloc&)
-    {
-      this->Failed = true;
-    }
-  }
-  bool HasFailed() const { return this->Failed; }
-
   std::size_t GetNumberOfChunks() const
   {
     return (this->Mesh.Triangles + ChunkSize - 1) / ChunkSize;
@@ -378,7 +362,6 @@ public:
     }
   }
 
-private:
   template <typename Way>
   void DrawTriangles(std::size_t chunk)
   {
@@ -423,6 +406,7 @@ private:
     }
   }
 
+private:
   const float* GetPlace(std::size_t corner) const
   {
     return this->Mesh.Places + corner * this->Mesh.Step;
@@ -480,7 +464,6 @@ private:
   const Target& To;
   std::mutex Adding;
   std::vector<Triangle> Large;
-  std::atomic<bool> Failed{ false };
 };
 }
 
@@ -488,13 +471,17 @@ private:
 void vtkRelievoDepthRaster::Clear(int size)
 {
   this->Size = size;
-  this->Depths.assign(static_cast<std::size_t>(size) * size, 1.f);
+  this->Depths.clear();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoDepthRaster::Draw(
   const Mesh& mesh, const glm::dmat4& modelToNDC, const int region[4], bool clamps)
 {
+  if (this->Depths.empty())
+  {
+    this->Depths.assign(static_cast<std::size_t>(this->Size) * this->Size, 1.f);
+  }
   const Transform toMap(modelToNDC, region);
   const Target target{ this->Depths.data(), static_cast<std::size_t>(this->Size),
     { region[0], region[0] + region[2] - 1, region[1], region[1] + region[3] - 1 },
@@ -505,7 +492,7 @@ void vtkRelievoDepthRaster::Draw(
   {
     for (std::size_t i = 0; i < chunks; ++i)
     {
-      drawing.DrawChunk<Alone>(i);
+      drawing.DrawTriangles<Alone>(i);
     }
     for (int i = 0; i < drawing.GetNumberOfBands() && drawing.HasLarge(); ++i)
     {
@@ -515,15 +502,11 @@ void vtkRelievoDepthRaster::Draw(
   else
   {
     vtkRelievoForAll(static_cast<vtkIdType>(chunks),
-      [&drawing](vtkIdType i) { drawing.DrawChunk<Together>(static_cast<std::size_t>(i)); });
+      [&drawing](vtkIdType i) { drawing.DrawTriangles<Together>(static_cast<std::size_t>(i)); });
     if (drawing.HasLarge())
     {
       vtkRelievoForAll(drawing.GetNumberOfBands(),
         [&drawing](vtkIdType i) { drawing.DrawBand(static_cast<int>(i)); });
     }
-  }
-  if (drawing.HasFailed())
-  {
-    throw std::bad_alloc();
   }
 }

@@ -34,7 +34,7 @@ public:
   // Triangles with a corner that is no place are left out. Throws std::bad_alloc, in this thread.
   void Draw(const Mesh& mesh, const glm::dmat4& modelToNDC, const int region[4], bool clamps);
 
-  // Row by row, from the lowest one.
+  // Row by row, from the lowest one; empty if nothing was drawn since Clear.
   const std::vector<float>& GetDepths() const { return this->Depths; }
 
 private:

@@ -436,6 +436,19 @@ void vtkRelievoShadowProps::Render(vtkProp* prop, bool translucent, vtkRenderer*
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoShadowProps::RenderAny(const Caster& caster, vtkRenderer* renderer)
+{
+  {
+    const vtkRelievoHiddenPoints hidden(caster.Prop, renderer, true, this->PointGroups);
+    this->Render(caster.Prop, false, renderer);
+  }
+  if (caster.Translucent)
+  {
+    this->Render(caster.Prop, true, renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoShadowProps::RasterizeCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
   const int region[4], vtkRelievoCasterDraw& plainDraw, bool withoutFollowed,
   vtkRelievoDepthRaster& raster)
@@ -459,11 +472,19 @@ int vtkRelievoShadowProps::RasterizeCasters(vtkRenderer* renderer, const vtkReli
       plainDraw.Build(caster.Prop, renderer);
       actor = plainDraw.GetPlainActor(caster.Prop);
     }
-    if (actor &&
-      plainDraw.Rasterize(actor, view.ViewToNDC * view.WorldToView, region, view.Clamps(), raster))
+    // VTK fills the buffers of the others by drawing, here into a map that is replaced. So all
+    // plain casters are in maps by the processor, whatever was drawn before.
+    const bool isDrawn = !actor && plainDraw.LacksBuffers(caster.Prop);
+    if (isDrawn)
     {
+      this->RenderAny(caster, renderer);
+      actor = plainDraw.GetPlainActor(caster.Prop);
+    }
+    if (actor)
+    {
+      plainDraw.Rasterize(actor, view.ViewToNDC * view.WorldToView, region, view.Clamps(), raster);
       this->Rastered.insert(caster.Prop);
-      ++drawn;
+      drawn += isDrawn ? 0 : 1; // VTK's drawing counts
     }
   }
   return drawn;
@@ -487,14 +508,7 @@ int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievo
       plain.push_back(actor);
       continue;
     }
-    {
-      const vtkRelievoHiddenPoints hidden(caster.Prop, renderer, true, this->PointGroups);
-      this->Render(caster.Prop, false, renderer);
-    }
-    if (caster.Translucent)
-    {
-      this->Render(caster.Prop, true, renderer);
-    }
+    this->RenderAny(caster, renderer);
   }
   return RenderPlain(renderer, plain, view.ViewToNDC * view.WorldToView, plainDraw);
 }

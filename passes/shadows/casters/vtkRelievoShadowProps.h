@@ -101,6 +101,7 @@ public:
   // BeginRaster before the first view of a map. Returns the number of meshes, which count as draw
   // calls.
   void BeginRaster() { this->Rastered.clear(); }
+  bool HasRastered() const { return !this->Rastered.empty(); }
   int RasterizeCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view, const int region[4],
     vtkRelievoCasterDraw& plainDraw, bool withoutFollowed, vtkRelievoDepthRaster& raster);
 
@@ -151,6 +152,7 @@ private:
     bool Attenuates;  // translucent geometry casts for rays
     bool InMaps;      // casts in maps, not only for rays
   };
+  void RenderAny(const Caster& caster, vtkRenderer* renderer); // by VTK
   // How a prop casts.
   Caster GetCaster(vtkProp* prop, const Choice& choice) const;
   bool IsInMaps(const Caster& caster, bool withoutFollowed) const;

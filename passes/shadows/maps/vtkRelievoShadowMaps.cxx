@@ -17,7 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
+#include <exception>
 
 namespace
 {
@@ -132,7 +132,7 @@ glm::dmat4 vtkRelievoShadowMaps::GetNDCToMap(int size)
 void vtkRelievoShadowMaps::Begin()
 {
   vtkOpenGLState* state = this->Window->GetState();
-  this->Kept.reset(new vtkRelievoScopedState(state));
+  this->SavedState.reset(new vtkRelievoScopedState(state));
   this->Framebuffer->Bind();
   // VTK caches the buffers of the previously bound framebuffer and may skip changes.
   unsigned int none = GL_NONE;
@@ -151,7 +151,7 @@ void vtkRelievoShadowMaps::Begin()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
+bool vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
   const CastersInMemory& inMemory, const Casters& casters)
 {
   if (!this->Camera)
@@ -159,9 +159,6 @@ void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
     this->Camera = vtkSmartPointer<vtkCamera>::New();
     this->Camera->UseExplicitProjectionTransformMatrixOn();
   }
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglViewport(0, 0, this->Size, this->Size);
-  state->vtkglScissor(0, 0, this->Size, this->Size);
   // Clamping fragments is slower in software OpenGL.
   view.Clamps() ? glEnable(GL_DEPTH_CLAMP) : glDisable(GL_DEPTH_CLAMP);
 
@@ -185,35 +182,41 @@ void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
       }
     }
   };
-  bool drawn = false;
-  try
-  {
-    if (inMemory)
-    {
-      this->Raster.Clear(this->Size);
-      forPieces([&](const vtkRelievoShadowView& piece, const int region[4]) {
-        drawn = inMemory(piece, region, this->Raster);
-      });
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Raster = vtkRelievoDepthRaster();
-    drawn = false;
-  }
   glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Texture, 0, layer);
+  bool drawn = false;
+  bool failed = false;
+  if (inMemory)
+  {
+    this->Raster.Clear(this->Size);
+    forPieces([&](const vtkRelievoShadowView& piece, const int region[4]) {
+      this->DrawPiece(piece, region, renderer, false, [&](const vtkRelievoShadowView&, bool) {
+        try
+        {
+          drawn = !failed && inMemory(piece, region, this->Raster);
+        }
+        catch (const std::exception&) // out of memory, or of threads
+        {
+          failed = true;
+          this->Raster = vtkRelievoDepthRaster();
+        }
+      });
+    });
+    drawn = drawn && !failed && !this->Raster.GetDepths().empty();
+  }
   if (drawn)
   {
     this->Write(layer, this->Raster.GetDepths());
   }
   else
   {
+    this->Window->GetState()->vtkglScissor(0, 0, this->Size, this->Size);
     const GLfloat farthest = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
   }
   forPieces([&](const vtkRelievoShadowView& piece, const int region[4]) {
     this->DrawPiece(piece, region, renderer, drawn, casters);
   });
+  return drawn;
 }
 
 //------------------------------------------------------------------------------
@@ -267,7 +270,7 @@ void vtkRelievoShadowMaps::End()
   glDisable(GL_DEPTH_CLAMP);
   glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, 0, 0, 0);
   this->Raster = vtkRelievoDepthRaster();
-  this->Kept.reset();
+  this->SavedState.reset();
 }
 
 //------------------------------------------------------------------------------

@@ -60,11 +60,11 @@ public:
   void Begin();
   // `inMemory`, if given, is called first, also for each piece: it draws casters by the processor
   // into a part of the map (x, y, width, height), and returns whether the map has any. `casters`
-  // draws the others, or all if memory has no room for the map.
+  // draws the others, or all if memory has no room for the map. Returns whether `inMemory` drew any.
   using CastersInMemory =
     std::function<bool(const vtkRelievoShadowView&, const int[4], vtkRelievoDepthRaster&)>;
   using Casters = std::function<void(const vtkRelievoShadowView&, bool others)>;
-  void Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
+  bool Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
     const CastersInMemory& inMemory, const Casters& casters);
   void End();
 
@@ -93,8 +93,8 @@ private:
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
-  std::unique_ptr<vtkRelievoScopedState> Kept; // between Begin and End
-  vtkRelievoDepthRaster Raster;                // between Begin and End
+  std::unique_ptr<vtkRelievoScopedState> SavedState; // between Begin and End
+  vtkRelievoDepthRaster Raster;                      // between Begin and End
   vtkSmartPointer<vtkCamera> Camera;
   unsigned int Texture = 0;
   unsigned int Empty = 0;

@@ -91,7 +91,7 @@ int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowContext& work, vtkRenderer* r
                     vtkRelievoDepthRaster& raster) {
     inMap += work.Props.RasterizeCasters(
       renderer, view, region, work.PlainDraw, work.WithoutFollowed, raster);
-    return inMap > 0;
+    return work.Props.HasRastered();
   };
   for (auto& entry : work.Cache.GetEntries())
   {
@@ -109,13 +109,13 @@ int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowContext& work, vtkRenderer* r
       }
       inMap = 0;
       work.Props.BeginRaster();
-      work.Maps.Draw(map.Layer, map.View, renderer,
+      const bool isRastered = work.Maps.Draw(map.Layer, map.View, renderer,
         software ? inMemory : vtkRelievoShadowMaps::CastersInMemory(),
         [&](const vtkRelievoShadowView& view, bool others) {
           draws +=
             work.Props.RenderCasters(renderer, view, work.PlainDraw, work.WithoutFollowed, others);
         });
-      draws += inMap;
+      draws += isRastered ? inMap : 0;
       if (this->Exchange.IsOn())
       {
         this->Exchange.Merge(work.Maps, map.Layer);

@@ -10,6 +10,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 vtkStandardNewMacro(vtkPVRelievoTerrainReader);
 
@@ -35,6 +36,14 @@ int vtkPVRelievoTerrainReader::CanReadFile(const char* name)
 int vtkPVRelievoTerrainReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
+  // The first piece has everything, so that parallel processes together have it once.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* output = outputs->GetInformationObject(0);
+  if (output->Has(Pipeline::UPDATE_PIECE_NUMBER()) &&
+    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1;
+  }
   vtkNew<vtkRelievoGeoTIFFReader> reader;
   reader->SetFileName(this->FileName);
   vtkNew<vtkRelievoTerrain> terrain;
