@@ -37,8 +37,8 @@ void vtkRelievoWithThreads(Work&& work)
   work();
 }
 
-// Runs work(i) for each i below `count`, in groups of `grain` (0: of VTK's choice). Lack of memory in
-// a thread, where an exception would end the process, is thrown to the caller.
+// Runs work(i) for each i below `count`, in groups of `grain` (0: of VTK's choice). Lack of memory
+// in a thread, where an exception would end the process, is thrown to the caller.
 template <typename Work>
 void vtkRelievoForAll(vtkIdType count, Work&& work, vtkIdType grain = 0)
 {

@@ -53,8 +53,8 @@ def points(source, name):
 
 
 def write_heights(name, heights, corner=None, model=1):
-    """A TIFF of floats in one strip; with the place of its upper left corner, of cells of 1, and the
-    kind of its coordinates (OGC 19-008: 1 projected, 2 degrees)."""
+    """A TIFF of floats in one strip; with the place of its upper left corner, of cells of 1, and
+    the kind of its coordinates (OGC 19-008: 1 projected, 2 degrees)."""
     data = heights.astype("<f4").tobytes()
     rows, columns = heights.shape
     tags = [(256, 4, columns), (257, 4, rows), (258, 3, 32), (259, 3, 1), (262, 3, 1), (273, 4, 8),

@@ -60,7 +60,8 @@ public:
   void Begin();
   // `inMemory`, if given, is called first, also for each piece: it draws casters by the processor
   // into a part of the map (x, y, width, height), and returns whether the map has any. `casters`
-  // draws the others, or all if memory has no room for the map. Returns whether `inMemory` drew any.
+  // draws the others, or all if memory has no room for the map. Returns whether `inMemory` drew
+  // any.
   using CastersInMemory =
     std::function<bool(const vtkRelievoShadowView&, const int[4], vtkRelievoDepthRaster&)>;
   using Casters = std::function<void(const vtkRelievoShadowView&, bool others)>;
