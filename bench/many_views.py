@@ -30,8 +30,6 @@ import csv
 import importlib.util
 import itertools
 import math
-import pathlib
-import re
 import sys
 import tempfile
 
@@ -42,45 +40,24 @@ from relievo.vtk.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray
 from relievo.vtk.vtkCommonDataModel import vtkDataObject
 from relievo.vtk.vtkRenderingCore import (
     vtkActor,
-    vtkCamera,
     vtkHardwareSelector,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
 )
-from scaling_out import ring, seconds
+from scaling_out import cameras_around, peak, ring, seconds
 
 COLUMNS = ("subject", "triangles", "columns", "method", "number", "kind", "processor seconds",
            "exponent", "MiB", "found, %")  # fmt: skip
 LIMIT = 12  # processor seconds of the largest number, about
 EVERY = 10_000, 100_000  # the numbers of cameras and views that are estimated
-STATUS, CLEAR = pathlib.Path("/proc/self/status"), pathlib.Path("/proc/self/clear_refs")
-
-
-def memory(name):
-    """A number of the process's memory, in MiB."""
-    return int(re.search(rf"{name}:\s+(\d+)", STATUS.read_text())[1]) / 1024
 
 
 def cost(call):
     """Processor seconds and MiB of a call."""
-    CLEAR.write_text("5")  # the peak begins again
-    before = memory("VmRSS")
-    taken = seconds(call, 1)
-    return taken, max(0, memory("VmHWM") - before)
-
-
-def cameras_around(number):
-    lots = numpy.random.default_rng(7)
-    made = []
-    for _ in range(number):
-        place = lots.normal(size=3)
-        camera = vtkCamera()
-        camera.SetPosition(5 * place / numpy.linalg.norm(place))
-        camera.SetViewUp(lots.normal(size=3))
-        camera.SetClippingRange(3, 7)
-        made.append(camera)
-    return made
+    taken = []
+    most = peak(lambda: taken.append(seconds(call, 1)))
+    return taken[0], max(0, most) / 2**20
 
 
 def actor_of(mesh):
@@ -245,7 +222,7 @@ def slope(times):
 
 def cameras(write, triangles, numbers, rounds):
     mesh, size = ring(triangles), (320, 240)
-    cells, all_cameras = mesh.GetNumberOfCells(), cameras_around(max(numbers))
+    cells, all_cameras = mesh.GetNumberOfCells(), cameras_around(max(numbers), 5, (3, 7), 7)
     loop, counts = VtkLoop(mesh, size), {}
 
     def visible(each, _):
@@ -273,7 +250,7 @@ def cameras(write, triangles, numbers, rounds):
 
 def views(write, triangles, size, numbers, rounds):
     mesh = ring(triangles)
-    every, renderer = cameras_around(max(numbers)), vtkRenderer()
+    every, renderer = cameras_around(max(numbers), 5, (3, 7), 7), vtkRenderer()
     renderer.AddActor(actor_of(mesh))
     renderer.SetActiveCamera(every[0])
     first = {}

@@ -171,20 +171,25 @@ def ball(triangles):
     return renderer, 2 * side * side
 
 
-def views(write, triangles, number, rounds):
-    renderer, triangles = ball(triangles)
-    lots = numpy.random.default_rng(3)
-    size = (64, 64)
-    cameras, sensors = [], []
+def cameras_around(number, distance, depths, seed):
+    """Cameras that look at the origin from random directions."""
+    lots, made = numpy.random.default_rng(seed), []
     for _ in range(number):
         place = lots.normal(size=3)
         camera = vtkCamera()
-        camera.SetPosition(2 * place / numpy.linalg.norm(place))
+        camera.SetPosition(distance * place / numpy.linalg.norm(place))
         camera.SetViewUp(lots.normal(size=3))
-        camera.SetClippingRange(0.5, 5)
-        cameras.append(camera)
-        sensors.append(relievo.Pinhole(relievo.intrinsics(camera, size), size,
-                                       *relievo.extrinsics(camera)))  # fmt: skip
+        camera.SetClippingRange(*depths)
+        made.append(camera)
+    return made
+
+
+def views(write, triangles, number, rounds):
+    renderer, triangles = ball(triangles)
+    size = (64, 64)
+    cameras = cameras_around(number, 2, (0.5, 5), 3)
+    sensors = [relievo.Pinhole(relievo.intrinsics(camera, size), size, *relievo.extrinsics(camera))
+               for camera in cameras]  # fmt: skip
     renderer.SetActiveCamera(cameras[0])
     relievo.capture(renderer, "depth", size=size)  # compiles shaders
 
