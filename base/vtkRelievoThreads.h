@@ -37,20 +37,17 @@ void vtkRelievoWithThreads(Work&& work)
   work();
 }
 
-// Runs work(i) for each i below `count`, in groups of `grain` (0: of VTK's choice). Lack of memory
-// in a thread, where an exception would end the process, is thrown to the caller.
+// Runs work(from, to) for ranges of `grain` numbers (0: of VTK's choice) from `begin` up to `end`.
+// Lack of memory in a thread, where an exception would end the process, is thrown to the caller.
 template <typename Work>
-void vtkRelievoForAll(vtkIdType count, Work&& work, vtkIdType grain = 0)
+void vtkRelievoForRanges(vtkIdType begin, vtkIdType end, vtkIdType grain, Work&& work)
 {
   std::atomic<bool> lacks{ false };
   vtkRelievoWithThreads([&]() {
-    vtkSMPTools::For(0, count, grain, [&](vtkIdType begin, vtkIdType end) {
+    vtkSMPTools::For(begin, end, grain, [&](vtkIdType from, vtkIdType to) {
       try
       {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          work(i);
-        }
+        work(from, to);
       }
       catch (const std::bad_alloc&)
       {
@@ -62,6 +59,18 @@ void vtkRelievoForAll(vtkIdType count, Work&& work, vtkIdType grain = 0)
   {
     throw std::bad_alloc();
   }
+}
+
+// Runs work(i) for each i below `count`.
+template <typename Work>
+void vtkRelievoForAll(vtkIdType count, Work&& work, vtkIdType grain = 0)
+{
+  vtkRelievoForRanges(0, count, grain, [&](vtkIdType from, vtkIdType to) {
+    for (vtkIdType i = from; i < to; ++i)
+    {
+      work(i);
+    }
+  });
 }
 
 #endif

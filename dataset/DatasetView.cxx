@@ -43,6 +43,7 @@ constexpr double MostPixelsBeyond = 1 << 25;
 // Views drawn together have at most so many pixels; more together take no less time per view.
 constexpr int MostTogether = 64;
 constexpr int PixelsTogether = 1 << 18;
+constexpr int MasksTogether = 100000;   // three of each object in a view
 constexpr std::size_t ViewsOfFrame = 4; // drawn with others in the time that a frame takes
 
 int GetLimit(vtkRenderWindow* window)
@@ -82,6 +83,7 @@ std::array<int, 2> GetMargin(double limit, int columns, int rows)
 using Rectangle = std::array<double, 4>;
 constexpr double Far = std::numeric_limits<double>::infinity();
 constexpr Rectangle Everywhere = { -Far, -Far, Far, Far };
+constexpr Rectangle Nowhere = { Far, Far, -Far, -Far };
 
 // Calls `call` with the number from the top and the image point of each pixel in a rectangle.
 template <typename Call>
@@ -185,7 +187,7 @@ Rectangle FindRectangle(vtkRelievoLensCamera* camera, const DatasetObjects& obje
 {
   constexpr double rounding = 2.0;
   const std::optional<double> border = objects.GetBorder(object);
-  Rectangle all = { Far, Far, -Far, -Far };
+  Rectangle all = Nowhere;
   for (const auto& pixel : ProjectCorners(camera, objects, object))
   {
     if (!pixel || !border)
@@ -250,6 +252,10 @@ Draws Separate(const Places& places, const std::vector<std::vector<int>>& object
     }
     views.push_back(view);
     all.insert(all.end(), objects[view].begin(), objects[view].end());
+  }
+  if (objects.size() == 1)
+  {
+    return each;
   }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
@@ -437,7 +443,9 @@ std::size_t DatasetPainter::GetNumberTogether(vtkRelievoCameraModel* camera) con
     return 1;
   }
   const double pixels = static_cast<double>(camera->GetSize()[0]) * camera->GetSize()[1];
-  return static_cast<std::size_t>(std::clamp<double>(PixelsTogether / pixels, 1, MostTogether));
+  const double objects = static_cast<double>(std::max<std::size_t>(1, this->Objects.Get().size()));
+  return static_cast<std::size_t>(std::clamp<double>(
+    std::min(PixelsTogether / pixels, MasksTogether / objects), 1, MostTogether));
 }
 
 //------------------------------------------------------------------------------
@@ -636,7 +644,7 @@ void DatasetPainter::DrawAlone(const std::vector<Shown>& cameras,
   Places places(cameras.size());
   for (std::size_t view = 0; view < cameras.size(); ++view)
   {
-    places[view].resize(this->Objects.Get().size());
+    places[view].resize(this->Objects.Get().size(), Nowhere);
     for (const int object : objects[view])
     {
       places[view][static_cast<std::size_t>(object)] =

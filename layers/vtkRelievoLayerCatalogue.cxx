@@ -7,6 +7,7 @@
 #include "vtkType.h"
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 
 vtkStandardNewMacro(vtkRelievoLayerCatalogue);
@@ -199,6 +200,35 @@ std::string vtkRelievoLayerCatalogue::GetLayerNames()
     names += (names.empty() ? "" : ", ") + layer.GetLabel();
   }
   return names;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLayerCatalogue::GetTitle(const std::string& layer)
+{
+  const bool ofLight = GetIsOfLight(layer);
+  if (!ofLight && !GetIsLayer(layer))
+  {
+    return layer;
+  }
+  if (layer == "range") // a range of values is another thing
+  {
+    return "Distance";
+  }
+  std::string words = layer;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  if (ofLight)
+  {
+    return (GetLight(layer) < 0 ? "Shadow of " : "Shadow of light ") +
+      words.substr(GetOfLight().Name.size());
+  }
+  const std::string american = "color";
+  const std::size_t at = words.find(american);
+  if (at != std::string::npos)
+  {
+    words.replace(at, american.size(), "colour");
+  }
+  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  return words;
 }
 
 //------------------------------------------------------------------------------

@@ -66,6 +66,9 @@ public:
   // their number: a frame resolves their names.
   static const vtkRelievoLayer& Find(const std::string& name);
 
+  // The name of a layer in plain words: "Shadow of light 0" for shadow_0; an array's own name.
+  static std::string GetTitle(const std::string& layer);
+
   // The entry for the layers of lights.
   static const vtkRelievoLayer& GetOfLight();
 

@@ -6,7 +6,6 @@
 #include "vtkRelievoDisplayStage.h"
 #include "vtkRelievoLayer.h"
 #include "vtkRelievoLayerCatalogue.h"
-#include "vtkRelievoLayerLegend.h"
 
 #include <QColor>
 #include <QStringList>
@@ -83,7 +82,7 @@ QString NameLayer(const std::string& layer, const LightNames& lights)
 {
   const auto named = lights.find(layer);
   return named != lights.end() ? "Shadow of " + QString::fromStdString(named->second)
-                               : QString::fromStdString(vtkRelievoLayerLegend::NameLayer(layer));
+                               : QString::fromStdString(vtkRelievoLayerCatalogue::GetTitle(layer));
 }
 
 //------------------------------------------------------------------------------

@@ -233,7 +233,7 @@ bool DoInBatches(vtkRelievoRayScene* scene, vtkIdType count, Each each, After af
   for (vtkIdType from = 0; from < count; from += Batch)
   {
     const vtkIdType to = std::min(count, from + Batch);
-    vtkRelievoWithThreads([&]() { vtkSMPTools::For(from, to, Grain, each); });
+    vtkRelievoForRanges(from, to, Grain, each);
     after(from, to);
     double done = static_cast<double>(to) / static_cast<double>(count);
     scene->InvokeEvent(vtkCommand::ProgressEvent, &done);

@@ -217,7 +217,7 @@ int vtkRelievoViewshed::RequestData(
     for (vtkIdType from = begin; from < end; from += Batch)
     {
       const vtkIdType to = std::min(end, from + Batch);
-      vtkRelievoWithThreads([&] { vtkSMPTools::For(from, to, LinesAtOnce, look); });
+      vtkRelievoForRanges(from, to, LinesAtOnce, look);
       done += static_cast<double>(to - from);
       this->UpdateProgress(done / all);
       if (relievo::IsStopped(this))

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoGeoTags.h"
 
+#include "vtkRelievoNumberText.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdarg>
 #include <cstdint>
 #include <cstring>
-#include <string_view>
 #include <system_error>
 
 namespace relievo::image
@@ -23,6 +23,7 @@ constexpr ttag_t KeyNumbersTag = 34736;
 constexpr ttag_t KeyTextTag = 34737;
 constexpr ttag_t MetadataTag = 42112;
 constexpr ttag_t NoDataTag = 42113;
+constexpr tmsize_t MostOfTags = 1 << 24; // bytes of one
 
 // The values of a tag of this type. How libtiff gives them depends on who has declared the tag: the
 // file itself, or a library that extends libtiff in this process, such as GDAL.
@@ -95,16 +96,13 @@ void WriteText(TIFF* tiff, ttag_t tag, const std::string& text)
 std::optional<double> GeoTags::FindNoData() const
 {
   const char* end = this->NoData.data() + this->NoData.size();
-  const char* begin = std::find_if(
-    this->NoData.data(), end, [](char letter) { return letter != ' ' && letter != '+'; });
+  const char* begin =
+    std::find_if(this->NoData.data(), end, [](char letter) { return letter != ' '; });
   double value = 0.0;
-  const std::errc error = std::from_chars(begin, end, value).ec;
-  if (error == std::errc::result_out_of_range) // too large, or almost 0
+  const std::errc error = vtkRelievoReadNumber(begin, end, value).ec;
+  if (error == std::errc::result_out_of_range) // too large
   {
-    const bool isSmall =
-      std::string_view(begin, static_cast<std::size_t>(end - begin)).find("e-") !=
-      std::string_view::npos;
-    return isSmall ? 0.0 : *begin == '-' ? -HUGE_VAL : HUGE_VAL;
+    return *begin == '-' ? -HUGE_VAL : HUGE_VAL;
   }
   return error == std::errc() ? std::optional<double>(value) : std::nullopt;
 }
@@ -113,6 +111,7 @@ std::optional<double> GeoTags::FindNoData() const
 std::optional<GeoTags> GeoTags::Find(const char* file)
 {
   TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
+  TIFFOpenOptionsSetMaxSingleMemAlloc(options, MostOfTags);
   TIFFOpenOptionsSetErrorHandlerExtR(options, SayNothing, nullptr);
   TIFFOpenOptionsSetWarningHandlerExtR(options, SayNothing, nullptr);
   TIFF* tiff = TIFFOpenExt(file, "r", options);

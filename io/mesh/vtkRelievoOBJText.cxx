@@ -3,6 +3,7 @@
 #include "vtkRelievoOBJText.h"
 
 #include "vtkErrorCode.h"
+#include "vtkRelievoNumberText.h"
 
 #include <algorithm>
 #include <charconv>
@@ -110,9 +111,7 @@ public:
       return false;
     }
     const char* const first = this->Here;
-    // Files may use a leading plus, which from_chars rejects.
-    const bool plus = *first == '+' && first + 1 != this->End && first[1] != '-';
-    const auto result = std::from_chars(first + (plus ? 1 : 0), this->End, number);
+    const auto result = vtkRelievoReadNumber(first, this->End, number);
     this->Here = result.ptr;
     if (result.ec == std::errc() && this->AtWordEnd())
     {
@@ -120,12 +119,8 @@ public:
       return true;
     }
     this->Here = first;
-    const std::string_view word = this->TakeWord();
-    // Numbers too small for a double are zero; from_chars reports them like those too large.
-    number = result.ec == std::errc::result_out_of_range &&
-        word.find_first_of("eE") + 1 == word.find('-', 1)
-      ? 0.
-      : NaN;
+    this->TakeWord();
+    number = NaN;
     return true;
   }
 

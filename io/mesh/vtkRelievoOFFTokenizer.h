@@ -9,6 +9,7 @@
 
 #include "vtkErrorCode.h"
 #include "vtkRelievoMeshText.h"
+#include "vtkRelievoNumberText.h"
 #include "vtkType.h"
 
 #include <algorithm>
@@ -77,14 +78,9 @@ public:
   Number Parse(std::string_view word, const char* expected) const
   {
     Number value{};
-    // Files may use a leading plus, which from_chars rejects.
-    const char* first = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
     const char* last = word.data() + word.size();
-    const auto result = std::from_chars(first, last, value);
-    // Numbers too small for a double are zero; from_chars reports them like those too large.
-    const bool tiny = std::is_floating_point<Number>::value &&
-      result.ec == std::errc::result_out_of_range && word.find("e-") != std::string_view::npos;
-    if (result.ptr != last || (result.ec != std::errc() && !tiny) ||
+    const auto result = vtkRelievoReadNumber(word.data(), last, value);
+    if (result.ptr != last || result.ec != std::errc() ||
       !std::isfinite(static_cast<double>(value)))
     {
       throw this->Unexpected(word, expected);

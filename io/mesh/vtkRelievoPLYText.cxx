@@ -3,6 +3,7 @@
 #include "vtkRelievoPLYText.h"
 
 #include "vtkErrorCode.h"
+#include "vtkRelievoNumberText.h"
 
 #include <algorithm>
 #include <array>
@@ -359,15 +360,11 @@ private:
       this->RefuseEnd(element, i);
     }
     const char* const end = std::find_if(this->Here, this->End, IsBlank);
-    // Files may use a leading plus, which from_chars rejects.
-    const char* const first = this->Here + (*this->Here == '+' && end - this->Here > 1 ? 1 : 0);
     double number = 0.;
-    const auto result = std::from_chars(first, end, number);
+    const auto result = vtkRelievoReadNumber(this->Here, end, number);
     const std::string_view word(this->Here, static_cast<std::size_t>(end - this->Here));
-    const bool tiny = result.ec == std::errc::result_out_of_range &&
-      word.find_first_of("eE") + 1 == word.find('-', 1);
     const bool whole = type == VTK_FLOAT || type == VTK_DOUBLE || number == std::floor(number);
-    if (result.ptr != end || (result.ec != std::errc() && !tiny) || !whole)
+    if (result.ptr != end || result.ec != std::errc() || !whole)
     {
       Refuse("element " + Show(element.Name) + " " + std::to_string(i) + ": expected a number" +
         (whole ? "" : " without a fraction") + ", not '" + Show(word) + "'");

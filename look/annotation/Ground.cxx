@@ -67,11 +67,11 @@ unsigned char MakeByte(double value)
   return static_cast<unsigned char>(std::lround(255.0 * value));
 }
 
-// Neighbours look in other directions, turned by these shares of the angle between two. Means of
-// neighbours, in which all four shares have the same weight, know four times as many directions.
-double GetTurn(int ring, int sector)
+// Neighbours look in other directions, turned by these quarters of the angle between two. Means of
+// neighbours, in which all four have the same weight, know four times as many directions.
+std::size_t GetQuarter(int ring, int sector)
 {
-  return 0.5 * (ring % 2) + 0.25 * ((ring + sector) % 2);
+  return static_cast<std::size_t>(2 * (ring % 2) + (ring + sector) % 2);
 }
 
 using HiddenSky = std::vector<float>; // of each point
@@ -158,7 +158,7 @@ vtkSmartPointer<vtkActor> MakeGround(
       const unsigned char tuple[4] = { 0, 0, 0, GetAlpha(radii) };
       colors->InsertNextTypedTuple(tuple);
       hidden.push_back(static_cast<float>(
-        sky && ring < Rings ? sky->GetHidden(point, GetTurn(ring, sector)) : 0.0));
+        sky && ring < Rings ? sky->GetHidden(point, GetQuarter(ring, sector)) : 0.0));
     }
   }
   hidden = Smooth(std::move(hidden));

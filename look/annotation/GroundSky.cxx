@@ -50,6 +50,11 @@ GroundSky::GroundSky(vtkRenderer* renderer, const double bounds[6], int upAxis, 
     this->Origin[i] = bounds[2 * this->Axes[i]];
     this->Size[i] = std::max(1, static_cast<int>(std::ceil(sides[i] / this->Cell)));
   }
+  for (int i = 0; i < 4 * Directions; ++i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * (i + 0.5) / (4 * Directions); // none along an axis
+    this->Along.push_back({ std::cos(angle), std::sin(angle) });
+  }
   this->Columns.assign(
     static_cast<std::size_t>(this->Size[0]) * this->Size[1], Column{ 1.0F, -1.0F });
   vtkActorCollection* actors = renderer->GetActors();
@@ -142,7 +147,7 @@ void GroundSky::AddTriangle(const std::array<std::array<double, 3>, 3>& corners)
 }
 
 //------------------------------------------------------------------------------
-double GroundSky::GetHidden(const std::array<double, 3>& point, double turn) const
+double GroundSky::GetHidden(const std::array<double, 3>& point, std::size_t quarter) const
 {
   if (this->Columns.empty())
   {
@@ -151,10 +156,9 @@ double GroundSky::GetHidden(const std::array<double, 3>& point, double turn) con
   const std::array<double, 2> from = { (point[this->Axes[0]] - this->Origin[0]) / this->Cell,
     (point[this->Axes[1]] - this->Origin[1]) / this->Cell };
   int hidden = 0;
-  for (int direction = 0; direction < Directions; ++direction)
+  for (std::size_t direction = quarter; direction < this->Along.size(); direction += 4)
   {
-    const double angle = 2.0 * vtkMath::Pi() * (direction + 0.125 + turn) / Directions;
-    const std::array<double, 2> along = { std::cos(angle), std::sin(angle) };
+    const std::array<double, 2>& along = this->Along[direction];
     // Distances in cells at which the way enters and leaves the grid.
     double first = 0.5;
     double last = VTK_DOUBLE_MAX;

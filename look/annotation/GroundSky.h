@@ -26,8 +26,8 @@ public:
   GroundSky(vtkRenderer* renderer, const double bounds[6], int upAxis, double height);
 
   /// The share of a uniform sky's light that does not reach this point of the ground, 0 to 1.
-  /// `turn`: by which share of the angle between two directions all are turned, 0 to 1.
-  double GetHidden(const std::array<double, 3>& point, double turn) const;
+  /// `quarter`: by how many quarters of the angle between two directions all are turned, 0 to 3.
+  double GetHidden(const std::array<double, 3>& point, std::size_t quarter) const;
 
 private:
   void Add(const std::array<double, 3>& point);
@@ -43,6 +43,7 @@ private:
   double Cell = 0.0;              // side
   std::array<int, 2> Size{};
   std::vector<Column> Columns;
+  std::vector<std::array<double, 2>> Along; // directions, four for each that a point looks in
 };
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoLayerGrid.h"
 
+#include "vtkRelievoThreads.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -202,9 +204,12 @@ void vtkRelievoLayerGrid::Block(const Box& box)
 void vtkRelievoLayerGrid::Finish()
 {
   constexpr float far = std::numeric_limits<float>::infinity();
-  this->Answers.resize(this->Squares.size());
-  for (std::size_t i = 0; i < this->Squares.size(); ++i)
+  if (this->Left == 0) // no box is asked for
   {
+    return;
+  }
+  this->Answers.resize(this->Squares.size());
+  vtkRelievoForAll(static_cast<vtkIdType>(this->Squares.size()), [&](vtkIdType i) {
     const Square& square = this->Squares[i];
     Answer& answer = this->Answers[i];
     answer = { far, -far };
@@ -220,7 +225,7 @@ void vtkRelievoLayerGrid::Finish()
         answer.FirstFrom = isWhole && sheet.Layers == 1 ? sheet.Low : far;
       }
     }
-  }
+  });
 }
 
 //------------------------------------------------------------------------------

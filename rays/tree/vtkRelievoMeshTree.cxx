@@ -76,11 +76,10 @@ std::size_t vtkRelievoMeshTree::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-// Takes the places of the points in use, or of all points of the mesh if it was just read.
-void vtkRelievoMeshTree::TakePlaces(vtkPolyData* data)
+// Takes the places of the points in use, or of all points of a mesh whose triangles were just read.
+void vtkRelievoMeshTree::TakePlaces(vtkPolyData* data, bool all)
 {
   std::vector<glm::dvec3> places = this->Places.Release();
-  const bool all = this->Points.empty();
   places.resize(all ? static_cast<std::size_t>(data->GetNumberOfPoints()) : this->Points.size());
   places.shrink_to_fit();
   vtkRelievoForAll(static_cast<vtkIdType>(places.size()), [&](vtkIdType i) {
@@ -267,13 +266,13 @@ bool vtkRelievoMeshTree::Update(vtkPolyData* data, vtkRelievoPolygonCut::Rule ru
   if (sameCells)
   {
     // Triangles keep the order of the leaves.
-    this->TakePlaces(data);
+    this->TakePlaces(data, false);
     this->Refitted = this->Tree.Refit(this->GetBoxes());
   }
   if (!this->Refitted)
   {
     this->TakeTriangles(data, rule);
-    this->TakePlaces(data);
+    this->TakePlaces(data, true);
     this->Tree.Build(
       this->GetNumberOfTriangles(), [this](int i) { return this->GetBox(i); }, ToALeaf);
     this->Places.Set({}); // they are taken again: with them, the peak would be here

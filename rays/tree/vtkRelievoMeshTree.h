@@ -101,7 +101,7 @@ public:
   class Course;
 
 private:
-  void TakePlaces(vtkPolyData* data);
+  void TakePlaces(vtkPolyData* data, bool all);
   void TakeTriangles(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule);
   vtkRelievoBoxTree::Box GetBox(int triangle) const;
   std::vector<vtkRelievoBoxTree::Box> GetBoxes() const;

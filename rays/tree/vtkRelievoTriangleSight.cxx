@@ -212,14 +212,8 @@ void vtkRelievoTriangleSight::Look(const View& view)
   }
   this->FillLayers();
   const auto chunks = static_cast<vtkIdType>(this->Firsts.size()) - 1;
-  vtkRelievoWithThreads([&]() {
-    vtkSMPTools::For(0, chunks, ChunksOfAThread, [&](vtkIdType from, vtkIdType to) {
-      for (vtkIdType i = from; i < to; ++i)
-      {
-        this->LookAtChunk(static_cast<int>(i), view);
-      }
-    });
-  });
+  vtkRelievoForAll(
+    chunks, [&](vtkIdType i) { this->LookAtChunk(static_cast<int>(i), view); }, ChunksOfAThread);
 }
 
 //------------------------------------------------------------------------------

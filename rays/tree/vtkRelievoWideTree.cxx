@@ -223,10 +223,6 @@ void vtkRelievoWideTree::Build(int count, const GetBox& getBox, int leafSize)
     whole = Fit(
       top, [&](int position) { return records.GetBox(position); }, ofTop);
     areas += ofTop;
-    for (const Task& task : below)
-    {
-      depth = std::max(depth, task.Depth);
-    }
   }
   this->Stack = (Width - 1) * depth + Width;
   this->Order = records.TakeIndices();

@@ -336,4 +336,20 @@ std::vector<double> CameraPath::GetTimes(double framesPerSecond) const
   }
   return times;
 }
+
+//------------------------------------------------------------------------------
+std::string WriteTable(const std::vector<CameraKey>& keys)
+{
+  std::string table = std::string(Columns) + "\n";
+  for (const CameraKey& key : keys)
+  {
+    std::vector<double> numbers = { key.Time };
+    for (const Three& place : { key.Place.Position, key.Place.FocalPoint, key.Place.ViewUp })
+    {
+      numbers.insert(numbers.end(), place.begin(), place.end());
+    }
+    table += words::WriteNumbers(numbers) + "\n";
+  }
+  return table;
+}
 }

@@ -46,6 +46,9 @@ public:
 private:
   std::vector<CameraKey> Keys;
 };
+
+/// The keys as the CSV that CameraPath::Read takes.
+std::string WriteTable(const std::vector<CameraKey>& keys);
 }
 
 #endif

@@ -103,7 +103,7 @@ class OBJ(unittest.TestCase):
                    [100000 * [0, 1]], count=2)  # fmt: skip
 
     def test_numbers(self):
-        text = "v 1e-1 +2 -3.25E+2\nv .5 5. 1e-400\nv 0.123456789012345 -0 +.5\nf 1 2 3\n"
+        text = "v 1e-1 +2 -3.25E+2\nv .5 5. +1E-400\nv 0.123456789012345 -0 +.5\nf 1 2 3\n"
         expected = [(0.1, 2, -325), (0.5, 5, 0), (0.123456789012345, 0, 0.5)]
         numpy.testing.assert_array_equal(self.points(self.read(text)), expected)
         single = self.read(text, OutputPointsPrecision=0).GetPoints()

@@ -119,18 +119,8 @@ std::string WriteFilmCommand(
 {
   scene::Settings rest = view;
   rest.Remove("--camera"); // the path's
-  std::string lines = "(set -C; cat > camera-path.csv) <<END &&\n"
-                      "time,px,py,pz,fx,fy,fz,ux,uy,uz\n";
-  for (const scene::CameraKey& key : keys)
-  {
-    std::vector<double> numbers = { key.Time };
-    for (const auto& place : { key.Place.Position, key.Place.FocalPoint, key.Place.ViewUp })
-    {
-      numbers.insert(numbers.end(), place.begin(), place.end());
-    }
-    lines += words::WriteNumbers(numbers) + "\n";
-  }
-  return lines + "END\nrelievo render --camera-path camera-path.csv --video " + Quote(film) +
+  return "(set -C; cat > camera-path.csv) <<END &&\n" + scene::WriteTable(keys) +
+    "END\nrelievo render --camera-path camera-path.csv --video " + Quote(film) +
     QuoteAll(rest.GetWords());
 }
 

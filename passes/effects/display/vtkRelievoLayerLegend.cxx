@@ -12,8 +12,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 
@@ -28,36 +26,6 @@ vtkRelievoLayerLegend::vtkRelievoLayerLegend()
 
 //------------------------------------------------------------------------------
 vtkRelievoLayerLegend::~vtkRelievoLayerLegend() = default;
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoLayerLegend::NameLayer(const std::string& layer)
-{
-  using Catalogue = vtkRelievoLayerCatalogue;
-  const bool ofLight = Catalogue::GetIsOfLight(layer);
-  if (!ofLight && !Catalogue::GetIsLayer(layer))
-  {
-    return layer;
-  }
-  if (layer == "range") // a range of values is another thing
-  {
-    return "Distance";
-  }
-  std::string words = layer;
-  std::replace(words.begin(), words.end(), '_', ' ');
-  if (ofLight)
-  {
-    return (Catalogue::GetLight(layer) < 0 ? "Shadow of " : "Shadow of light ") +
-      words.substr(Catalogue::GetOfLight().Name.size());
-  }
-  const std::string american = "color";
-  const std::size_t at = words.find(american);
-  if (at != std::string::npos)
-  {
-    words.replace(at, american.size(), "colour");
-  }
-  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-  return words;
-}
 
 //------------------------------------------------------------------------------
 bool vtkRelievoLayerLegend::Follow(vtkRelievoDisplayStage* stage, bool isDrawnHere)
@@ -85,7 +53,7 @@ bool vtkRelievoLayerLegend::Take(vtkRelievoDisplayStage* stage, bool isDrawnHere
   vtkRelievoColormaps::Fill(
     this->Colors, stage->GetShownColormap(), range[reversed ? 1 : 0], range[reversed ? 0 : 1]);
   const std::string layer = stage->GetLayer();
-  this->SetTitle(NameLayer(layer));
+  this->SetTitle(vtkRelievoLayerCatalogue::GetTitle(layer));
   const bool isOfLight = vtkRelievoLayerCatalogue::GetIsOfLight(layer) && !given;
   this->SetEnds(isOfLight ? "in shadow" : "", isOfLight ? "lit" : "");
   return true;

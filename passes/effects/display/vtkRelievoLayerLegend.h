@@ -15,8 +15,6 @@
 
 #include "vtkNew.h" // for the map
 
-#include <string> // for names
-
 class vtkColorTransferFunction;
 class vtkRelievoDisplayStage;
 
@@ -32,12 +30,6 @@ public:
    * there is anything to show.
    */
   bool Follow(vtkRelievoDisplayStage* stage, bool isDrawnHere = true);
-
-#ifndef __VTK_WRAP__
-  // The name of a layer in plain words, which is the title: "Shadow of light 0" for shadow_0; an
-  // array's own name.
-  static std::string NameLayer(const std::string& layer);
-#endif
 
   int RenderOverlay(vtkViewport* viewport) override;
 

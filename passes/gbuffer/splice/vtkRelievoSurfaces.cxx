@@ -179,6 +179,10 @@ std::map<vtkMapper*, int> vtkRelievoSurfaces::FindLineShaders(const vtkRelievoFr
     const bool wide = DrawsLines(actor) && actor->GetProperty()->GetLineWidth() > 1.0F;
     found[actor->GetMapper()] |= wide ? WideLines : NoWideLines;
   });
+  for (auto it = found.begin(); it != found.end();)
+  {
+    it = it->second == NoWideLines ? found.erase(it) : std::next(it);
+  }
   return found;
 }
 

@@ -50,8 +50,8 @@ struct vtkRelievoSurfaces
   // there is none.
   static std::string WhyLit(vtkOpenGLPolyDataMapper* mapper, const std::string& fragment);
 
-  // Kinds of primitives that each mapper draws for the visible actors: lines wider than 1, others,
-  // or both.
+  // Kinds of primitives that mappers draw for the visible actors: lines wider than 1, or these and
+  // others. Mappers without such lines are left out.
   enum LineShaders
   {
     WideLines = 1,
