@@ -199,6 +199,12 @@ bool vtkRelievoCasterDraw::DrawsOnlyFaces(vtkActor* actor)
   {
     return false;
   }
+  // The buffers of a mapper that draws several pieces hold the last one.
+  auto* pieces = vtkPolyDataMapper::SafeDownCast(mapper);
+  if (pieces && pieces->GetNumberOfSubPieces() > 1)
+  {
+    return false;
+  }
   vtkProperty* property = actor->GetProperty();
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   return property->GetRepresentation() == VTK_SURFACE && !property->GetVertexVisibility() &&
@@ -428,7 +434,7 @@ void vtkRelievoCasterDraw::Build(vtkProp* prop, vtkRenderer* renderer)
   // Buffers that were filled before, but not for this window, may be another window's, which VTK
   // releases when it draws.
   const bool ours = Access::BuildTime(mapper) == 0 || this->IsKnown(mapper);
-  if (faces && ours && mapper->GetNumberOfSubPieces() == 1 && this->GetBuffers(actor).empty())
+  if (faces && ours && this->GetBuffers(actor).empty())
   {
     Access::Build(mapper, renderer, actor);
     this->Learn(mapper);
