@@ -314,6 +314,8 @@ output.VTKObject.SetPolys(cells)
         numpy.testing.assert_array_equal(places[:, 2], heights.ravel())
         numpy.testing.assert_array_equal(places[[0, -1], :2],
                                          [(689300, 5337202), (689499, 5337200)])  # fmt: skip
+        shed = simple.Viewshed(Input=terrain)
+        self.assertEqual(list(shed.Observers), [689399.5, 5337201, 2])
         shed = simple.Viewshed(Input=terrain, Observers=[689300, 5337201, 12])
         along = numpy.arange(200)
         near = (along <= 60) | (along >= 180)

@@ -13,6 +13,12 @@
 
 #include <cmath>
 
+namespace
+{
+// Above the terrain, that of a person's eyes and a little more, as viewsheds are usually computed.
+constexpr double ObserverHeight = 2.0;
+}
+
 vtkStandardNewMacro(vtkSMRelievoSightOfInput);
 
 //------------------------------------------------------------------------------
@@ -25,9 +31,6 @@ void vtkSMRelievoSightOfInput::PostInitializeProxy(
   {
     return;
   }
-  const double angle = vtkSMPropertyHelper(proxy, "ViewAngle", true).GetAsDouble();
-  const double radius = 0.5 * box.GetDiagonalLength();
-  const double away = radius / std::sin(0.5 * vtkMath::RadiansFromDegrees(angle));
   double place[3];
   box.GetCenter(place);
   const auto set = [&](const char* name) {
@@ -38,7 +41,12 @@ void vtkSMRelievoSightOfInput::PostInitializeProxy(
     }
   };
   set("FocalPoint");
+  const double angle = vtkSMPropertyHelper(proxy, "ViewAngle", true).GetAsDouble();
+  const double radius = 0.5 * box.GetDiagonalLength();
+  const double away = radius / std::sin(0.5 * vtkMath::RadiansFromDegrees(angle));
   place[2] += std::isfinite(away) && away > 0.0 ? away : 1.0;
   set("Position");
+  place[2] = ObserverHeight;
+  set("Observers");
   proxy->UpdateVTKObjects();
 }
