@@ -171,10 +171,11 @@ public:
     , Angles(Pixels.size())
     , CellsSeen(Pixels.size())
     , PointsSeen(static_cast<std::size_t>(mesh->GetNumberOfPoints()))
+    , Hit(Pixels.size(), 0)
+    , Large(Pixels.size(), 0)
+    , Shown(Pixels.size(), 0.0)
   {
     this->Places->SetNumberOfComponents(2);
-    this->PointPlaces->SetNumberOfComponents(2);
-    this->PointDirections->SetNumberOfComponents(3);
     const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
     vtkRelievoPolygonCut::ForEachTriangle(
       mesh,
@@ -209,8 +210,6 @@ public:
     auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
     this->IsPinhole = lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE;
     this->Returns.emplace(this->Scene, camera);
-    this->Hit.assign(this->Pixels.size(), false);
-    this->Shown.assign(this->Pixels.size(), 0.0);
     this->PixelsShown = 0;
     if (!this->AddPixels(number))
     {
@@ -223,11 +222,18 @@ public:
     {
       return false;
     }
-    for (std::size_t cell = this->CellShare[0]; cell < this->CellShare[1]; ++cell)
+    for (const std::size_t cell : this->CellsHit)
     {
-      this->CellsSeen[cell] += this->Hit[cell] ? 1 : 0;
-      this->Angles[cell] += this->Shown[cell];
+      if (this->IsInShare(cell))
+      {
+        ++this->CellsSeen[cell];
+        this->Angles[cell] += this->Shown[cell];
+      }
+      this->Hit[cell] = 0;
+      this->Large[cell] = 0;
+      this->Shown[cell] = 0.0;
     }
+    this->CellsHit.clear();
     return true;
   }
 
@@ -250,13 +256,22 @@ private:
   vtkRelievoCameraModel* Camera = nullptr;
   bool IsPinhole = false;
   std::optional<vtkRelievoReturns> Returns; // of this camera
-  std::vector<bool> Hit;                    // cells, by this camera
+  std::vector<char> Hit;                    // whether cells are, by this camera
+  std::vector<std::size_t> CellsHit;        // those that are
+  std::vector<char> Large;                  // whether cells' solid angle is that of their pixels
   std::vector<double> Shown;                // solid angles of cells, for this camera
-  std::vector<bool> Large;                  // cells whose solid angle is that of their pixels
   vtkIdType PixelsShown = 0;                // of the mesh, by this camera
   double PixelAngle = 0.0;                  // mean solid angle of these pixels
-  vtkNew<vtkDoubleArray> PointPlaces;       // in the picture
-  vtkNew<vtkDoubleArray> PointDirections;
+  // Of the mesh's points: places in the picture and directions of rays; no values for hidden ones.
+  enum class Corner : char
+  {
+    Outside, // the picture, or close to its border
+    Within,
+    Hidden
+  };
+  std::vector<Corner> Corners = std::vector<Corner>(PointsSeen.size());
+  std::vector<double> PointPlaces = std::vector<double>(2 * PointsSeen.size());
+  std::vector<double> PointDirections = std::vector<double>(3 * PointsSeen.size());
   vtkNew<vtkDoubleArray> Places;
   vtkNew<vtkDoubleArray> Origins;
   vtkNew<vtkDoubleArray> Directions;
@@ -300,6 +315,36 @@ private:
     return this->FindHits();
   }
 
+  bool IsInShare(std::size_t cell) const
+  {
+    return cell >= this->CellShare[0] && cell < this->CellShare[1];
+  }
+
+  void AddHit(std::size_t cell)
+  {
+    if (!this->Hit[cell])
+    {
+      this->Hit[cell] = 1;
+      this->CellsHit.push_back(cell);
+    }
+  }
+
+  // The first of a cell's triangles, or one of a later cell, or the end.
+  std::vector<Triangle>::const_iterator FindTriangles(vtkIdType cell) const
+  {
+    const auto begin = this->Triangles.begin();
+    const auto end = this->Triangles.end();
+    // If all polygons are triangles, the cell's triangle has its number.
+    const vtkIdType last = static_cast<vtkIdType>(this->Triangles.size()) - 1;
+    const auto it = begin + std::clamp<vtkIdType>(cell - begin->Cell, 0, last);
+    if (it->Cell == cell && (it == begin || (it - 1)->Cell != cell))
+    {
+      return it;
+    }
+    return std::lower_bound(
+      begin, end, cell, [](const Triangle& triangle, vtkIdType of) { return triangle.Cell < of; });
+  }
+
   bool AddPixels(int number)
   {
     const vtkIdType rows = this->Camera->GetSize()[1];
@@ -330,10 +375,10 @@ private:
       {
         const vtkIdType cell = cells.Get(shown[i]);
         const auto at = static_cast<std::size_t>(cell);
-        this->Pixels[at] += at >= this->CellShare[0] && at < this->CellShare[1] ? 1 : 0;
+        this->Pixels[at] += this->IsInShare(at) ? 1 : 0;
         ++this->PixelsShown;
         this->Shown[at] += angles.Get(i);
-        this->Hit[at] = true;
+        this->AddHit(at);
         if (this->Cloud)
         {
           this->AddToCloud(shown[i], cell, number);
@@ -364,14 +409,15 @@ private:
   // those of points known to be hidden: few triangles at these need them.
   void TakeCorners()
   {
-    const vtkIdType count = this->Points->GetNumberOfTuples();
-    this->PointPlaces->SetNumberOfTuples(count);
-    this->PointDirections->SetNumberOfTuples(count);
-    vtkRelievoForAll(count, [this](vtkIdType i) {
+    constexpr double room = 1e-6; // of pixels, for rounding
+    vtkRelievoForAll(this->Points->GetNumberOfTuples(), [this](vtkIdType i) {
+      const auto at = static_cast<std::size_t>(i);
+      this->Corners[at] = Corner::Hidden;
       if (this->GetState(i) != State::Hidden)
       {
-        this->ComputeCorner(
-          i, this->PointPlaces->GetPointer(2 * i), this->PointDirections->GetPointer(3 * i));
+        double* place = this->PointPlaces.data() + 2 * at;
+        this->ComputeCorner(i, place, this->PointDirections.data() + 3 * at);
+        this->Corners[at] = this->IsInPicture(place, room) ? Corner::Within : Corner::Outside;
       }
     });
   }
@@ -383,38 +429,38 @@ private:
     this->Camera->GetRay(place[0], place[1], origin, direction);
   }
 
-  void GetCorner(vtkIdType point, double place[2], double direction[3]) const
+  void GetDirection(vtkIdType point, double direction[3]) const
   {
-    if (this->GetState(point) == State::Hidden)
+    const auto at = static_cast<std::size_t>(point);
+    if (this->Corners[at] == Corner::Hidden)
     {
+      double place[2];
       this->ComputeCorner(point, place, direction);
       return;
     }
-    std::copy_n(this->PointPlaces->GetPointer(2 * point), 2, place);
-    std::copy_n(this->PointDirections->GetPointer(3 * point), 3, direction);
+    std::copy_n(this->PointDirections.data() + 3 * at, 3, direction);
   }
 
   // Selects the cells that keep the solid angle of their pixels. The solid angles of other cells
   // are computed from sample points, as for cells that no pixel's centre hits.
   void TakeAngles()
   {
-    const double sum = std::accumulate(this->Shown.begin(), this->Shown.end(), 0.0);
+    // In the order of cells, on which the rounding of the sum depends.
+    std::sort(this->CellsHit.begin(), this->CellsHit.end());
+    const double sum = std::accumulate(this->CellsHit.begin(), this->CellsHit.end(), 0.0,
+      [this](double before, std::size_t cell) { return before + this->Shown[cell]; });
     this->PixelAngle = this->PixelsShown > 0 ? sum / static_cast<double>(this->PixelsShown) : 0.0;
-    std::vector<double> whole(this->Hit.size(), 0.0);
-    for (const Triangle& triangle : this->Triangles)
+    for (const std::size_t cell : this->CellsHit)
     {
-      const auto at = static_cast<std::size_t>(triangle.Cell);
-      if (this->Hit[at])
+      const auto number = static_cast<vtkIdType>(cell);
+      double whole = 0.0;
+      for (auto it = this->FindTriangles(number); it != this->Triangles.end() && it->Cell == number;
+           ++it)
       {
-        whole[at] += this->GetWholeAngle(triangle);
+        whole += this->GetWholeAngle(*it);
       }
-    }
-    this->Large.assign(this->Hit.size(), false);
-    for (std::size_t cell = 0; cell < this->Hit.size(); ++cell)
-    {
       // A whole angle of 0 means that the cell reaches to where the camera has no rays.
-      this->Large[cell] =
-        this->Hit[cell] && !(whole[cell] < SmallPixels * this->PixelAngle && whole[cell] > 0.0);
+      this->Large[cell] = !(whole < SmallPixels * this->PixelAngle && whole > 0.0);
       this->Shown[cell] = this->Large[cell] ? this->Shown[cell] : 0.0;
     }
   }
@@ -447,21 +493,11 @@ private:
     }
     this->Quick = std::make_unique<vtkRelievoTriangleSight>(tree, 0, GetWeights());
     const vtkRelievoMeshTree& mesh = tree.GetMeshTree(0);
-    const auto isBefore = [](const Triangle& triangle, vtkIdType cell) {
-      return triangle.Cell < cell;
-    };
     this->QuickTriangles.assign(this->Triangles.size(), -1);
     for (int i = 0; i < mesh.GetNumberOfTriangles(); ++i)
     {
       const vtkIdType cell = mesh.GetCell(i);
-      // If all polygons are triangles, the cell's triangle has its number.
-      const vtkIdType last = static_cast<vtkIdType>(this->Triangles.size()) - 1;
-      auto it = this->Triangles.begin() +
-        std::clamp<vtkIdType>(cell - this->Triangles.front().Cell, 0, last);
-      if (it->Cell != cell || (it != this->Triangles.begin() && (it - 1)->Cell == cell))
-      {
-        it = std::lower_bound(this->Triangles.begin(), this->Triangles.end(), cell, isBefore);
-      }
+      auto it = this->FindTriangles(cell);
       for (; it != this->Triangles.end() && it->Cell == cell; ++it)
       {
         if (it->Points[0] == mesh.GetPoint(i, 0) && it->Points[1] == mesh.GetPoint(i, 1) &&
@@ -535,44 +571,48 @@ private:
     });
     std::vector<std::size_t> triangles; // of Places
     this->Places->Reset();
+    const auto trace = [&] {
+      if (!triangles.empty() && !this->Trace())
+      {
+        return false;
+      }
+      for (std::size_t k = 0; k < triangles.size(); ++k)
+      {
+        const vtkIdType hit = Cells(this->Hits).Get(static_cast<vtkIdType>(k));
+        seen[triangles[k]] += hit == this->Triangles[triangles[k]].Cell ? 1 : 0;
+      }
+      triangles.clear();
+      this->Places->Reset();
+      return true;
+    };
     for (std::size_t i = 0; i < this->Triangles.size(); ++i)
     {
-      for (int sample = 0; sample < Samples; ++sample)
+      for (unsigned bits = asked[i]; bits != 0; bits &= bits - 1)
       {
         double place[2];
-        if ((asked[i] >> sample & 1) && this->FindPlace(this->Triangles[i], sample, place))
+        if (this->FindPlace(this->Triangles[i], vtkRelievoGetLowest(bits), place))
         {
           this->Places->InsertNextTuple(place);
           triangles.push_back(i);
         }
       }
-      const bool last = i + 1 == this->Triangles.size();
-      if (!triangles.empty() && (last || this->Places->GetNumberOfTuples() >= RaysOfABatch))
+      if (this->Places->GetNumberOfTuples() >= RaysOfABatch && !trace())
       {
-        if (!this->Trace())
-        {
-          return false;
-        }
-        const Cells cells(this->Hits);
-        for (std::size_t k = 0; k < triangles.size(); ++k)
-        {
-          const bool isSeen =
-            cells.Get(static_cast<vtkIdType>(k)) == this->Triangles[triangles[k]].Cell;
-          seen[triangles[k]] += isSeen ? 1 : 0;
-        }
-        triangles.clear();
-        this->Places->Reset();
+        return false;
       }
     }
+    if (!trace())
+    {
+      return false;
+    }
+    // A large cell that no pixel's centre hits is visible in a strip narrower than a pixel.
+    const double most = this->PixelAngle > 0.0 ? SmallPixels * this->PixelAngle : vtkMath::Inf();
     for (std::size_t i = 0; i < this->Triangles.size(); ++i)
     {
       if (seen[i] > 0)
       {
         const auto at = static_cast<std::size_t>(this->Triangles[i].Cell);
-        this->Hit[at] = true;
-        // A large cell that no pixel's centre hits is visible in a strip narrower than a pixel.
-        const double most =
-          this->PixelAngle > 0.0 ? SmallPixels * this->PixelAngle : vtkMath::Inf();
+        this->AddHit(at);
         this->Shown[at] +=
           std::min(most, this->GetWholeAngle(this->Triangles[i]) * seen[i] / Samples);
       }
@@ -586,7 +626,7 @@ private:
   {
     const Triangle& triangle = this->Triangles[number];
     const auto cell = static_cast<std::size_t>(triangle.Cell);
-    if (this->Large[cell] || cell < this->CellShare[0] || cell >= this->CellShare[1])
+    if (this->Large[cell] || !this->IsInShare(cell))
     {
       return;
     }
@@ -594,6 +634,10 @@ private:
     const unsigned known = this->GetSamples(number, State::Seen);
     asked[number] =
       static_cast<unsigned char>(all & ~(known | this->GetSamples(number, State::Hidden)));
+    if (known == 0)
+    {
+      return;
+    }
     if (known == all && this->IsWithin(triangle))
     {
       seen[number] = Samples;
@@ -610,13 +654,9 @@ private:
   // pinhole camera.
   bool IsWithin(const Triangle& triangle) const
   {
-    constexpr double room = 1e-6; // of pixels, for rounding
     return this->IsPinhole &&
       std::all_of(triangle.Points, triangle.Points + 3, [this](vtkIdType point) {
-        double place[2];
-        double direction[3];
-        this->GetCorner(point, place, direction);
-        return this->IsInPicture(place, room);
+        return this->Corners[static_cast<std::size_t>(point)] == Corner::Within;
       });
   }
 
@@ -648,8 +688,7 @@ private:
     double directions[3][3];
     for (int k = 0; k < 3; ++k)
     {
-      double place[2];
-      this->GetCorner(triangle.Points[k], place, directions[k]);
+      this->GetDirection(triangle.Points[k], directions[k]);
       if (std::isnan(directions[k][0]))
       {
         return 0.0;
@@ -665,11 +704,11 @@ private:
     const auto end = static_cast<vtkIdType>(this->PointShare[1]);
     for (auto point = static_cast<vtkIdType>(this->PointShare[0]); point < end; ++point)
     {
-      const double* place = this->PointPlaces->GetPointer(2 * point);
-      const State state = this->GetState(point);
-      if (state != State::Hidden && this->IsInPicture(place))
+      const double* place = this->PointPlaces.data() + 2 * static_cast<std::size_t>(point);
+      if (this->Corners[static_cast<std::size_t>(point)] != Corner::Hidden &&
+        this->IsInPicture(place))
       {
-        if (state == State::Seen)
+        if (this->GetState(point) == State::Seen)
         {
           ++this->PointsSeen[static_cast<std::size_t>(point)];
         }

@@ -24,6 +24,7 @@ void vtkRelievoLayerGrid::Clear(std::size_t triangles, double size)
   const auto count = static_cast<std::size_t>(this->Count);
   this->Left = MostLooks * (triangles + count * count);
   this->Squares.assign(count * count, Square());
+  this->HasAnswers = false;
 }
 
 //------------------------------------------------------------------------------
@@ -74,8 +75,10 @@ void vtkRelievoLayerGrid::Add(
       {
         least = std::min(least, areas[k] + x * across[k] + y * down[k]);
       }
-      Put(this->At(column, row),
-        { box.Min.z, box.Max.z, least > margin ? 1 : 0, std::abs(least) <= margin });
+      const std::size_t at = this->GetIndex(column, row);
+      const bool isPart = this->HasAnswers && box.Min.z < this->Answers[at].HiddenBelow;
+      Put(this->Squares[at],
+        { box.Min.z, box.Max.z, least > margin ? 1 : 0, isPart || std::abs(least) <= margin });
     }
   }
 }
@@ -109,7 +112,7 @@ void vtkRelievoLayerGrid::AddOutline(const glm::dvec2& a, const glm::dvec2& b, c
     const int right = this->GetPlace(std::max(x, y) + RoomOfEdges);
     for (int column = this->GetPlace(std::min(x, y) - RoomOfEdges); column <= right; ++column)
     {
-      Put(this->At(column, row), { box.Min.z, box.Max.z, 0, true });
+      Put(this->Squares[this->GetIndex(column, row)], { box.Min.z, box.Max.z, 0, true });
     }
   }
 }
@@ -172,8 +175,7 @@ bool vtkRelievoLayerGrid::ForEach(const Box& box, Visit visit) const
   const int bottom = this->GetPlace(box.Max.y);
   for (int row = this->GetPlace(box.Min.y); row <= bottom; ++row)
   {
-    const Answer* answer = this->Answers.data() +
-      static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Count) + left;
+    const Answer* answer = this->Answers.data() + this->GetIndex(left, row);
     for (int column = left; column <= right; ++column, ++answer)
     {
       if (!visit(*answer))
@@ -195,7 +197,7 @@ void vtkRelievoLayerGrid::Block(const Box& box)
   {
     for (int column = this->GetPlace(box.Min.x); column <= right; ++column)
     {
-      Put(this->At(column, row), { -far, far, 0, true });
+      Put(this->Squares[this->GetIndex(column, row)], { -far, far, 0, true });
     }
   }
 }
@@ -212,7 +214,7 @@ void vtkRelievoLayerGrid::Finish()
   vtkRelievoForAll(static_cast<vtkIdType>(this->Squares.size()), [&](vtkIdType i) {
     const Square& square = this->Squares[i];
     Answer& answer = this->Answers[i];
-    answer = { far, -far };
+    answer = { far, this->HasAnswers ? answer.HiddenBelow : -far };
     float nearest = -far;
     for (int k = 0; k < square.Count; ++k)
     {
@@ -226,6 +228,7 @@ void vtkRelievoLayerGrid::Finish()
       }
     }
   });
+  this->HasAnswers = true;
 }
 
 //------------------------------------------------------------------------------

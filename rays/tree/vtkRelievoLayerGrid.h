@@ -33,7 +33,8 @@ public:
   // Marks squares that the grid has no answers for.
   void Block(const Box& box);
 
-  // Prepares the answers, after the last triangle.
+  // Prepares the answers, after the last triangle. More triangles can then be added, without those
+  // of which IsHidden is known; Finish prepares the answers anew.
   void Finish();
 
   // IsHidden: whether the box's content is hidden by a layer in front of it. IsFirst: whether
@@ -48,8 +49,8 @@ private:
   {
     float Low; // range of Q
     float High;
-    int Layers; // at the square's centre, of both sides
-    bool IsCrossed;
+    int Layers;     // at the square's centre, of both sides
+    bool IsCrossed; // or may lack triangles, which are hidden
 
     bool IsBehind(const Sheet& other) const { return this->Low < other.Low; }
   };
@@ -74,16 +75,17 @@ private:
   int GetPlace(double x) const;
   template <typename Visit>
   bool ForEach(const Box& box, Visit visit) const;
-  Square& At(int column, int row)
+  std::size_t GetIndex(int column, int row) const
   {
-    return this->Squares[static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Count) +
-      static_cast<std::size_t>(column)];
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Count) +
+      static_cast<std::size_t>(column);
   }
 
   int Count = 0;        // squares in each direction
   std::size_t Left = 0; // visits left; 0: the grid has no answers
   std::vector<Square> Squares;
   std::vector<Answer> Answers; // by square
+  bool HasAnswers = false;
 };
 
 #endif

@@ -41,6 +41,15 @@ float AboveDepth(double q)
   return static_cast<float>(q * (1.0 + RoomOfDepth));
 }
 
+bool IsInView(const vtkRelievoWideTree::Box& box)
+{
+  return box.Min.x <= box.Max.x; // others are nowhere
+}
+double GetSize(const vtkRelievoWideTree::Box& box)
+{
+  return std::max(box.Max.x - box.Min.x, box.Max.y - box.Min.y);
+}
+
 // A number for a corner in sums (S. Vigna, SplitMix64).
 std::uint64_t GetSign(std::uint64_t corner)
 {
@@ -183,6 +192,7 @@ vtkRelievoTriangleSight::vtkRelievoTriangleSight(
     hasTriangle[cell] = true;
   }
   this->CellSides.resize(this->HasManyToACell ? hasTriangle.size() : 0);
+  this->HiddenChunks.resize(this->Firsts.size());
   this->Firsts.push_back(next);
   this->Clear();
 }
@@ -214,6 +224,19 @@ void vtkRelievoTriangleSight::Look(const View& view)
   const auto chunks = static_cast<vtkIdType>(this->Firsts.size()) - 1;
   vtkRelievoForAll(
     chunks, [&](vtkIdType i) { this->LookAtChunk(static_cast<int>(i), view); }, ChunksOfAThread);
+}
+
+//------------------------------------------------------------------------------
+inline vtkRelievoTriangleSight::Side vtkRelievoTriangleSight::GetSide(
+  const Vertex& a, const Vertex& b, const Vertex& c, const Box& box) const
+{
+  const double error = this->GetError(box);
+  const double size = GetSize(box);
+  const double area = (b.X - a.X) * (c.Y - a.Y) - (c.X - a.X) * (b.Y - a.Y);
+  const bool isClear = std::abs(area) > LeastArea * size * size &&
+    std::abs(area) > LeastShare * error * size && error < vtkRelievoWideTree::Room &&
+    this->DepthErrorByQ * box.Max.z < 0.1 * RoomOfDepth;
+  return !isClear ? Side::Unclear : area > 0.0 ? Side::Front : Side::Back;
 }
 
 //------------------------------------------------------------------------------
@@ -294,23 +317,38 @@ void vtkRelievoTriangleSight::Project(int number, const View& view)
 }
 
 //------------------------------------------------------------------------------
-// Error of twice the areas of triangles, per length of their sides.
-double vtkRelievoTriangleSight::GetError(const Box& box) const
+// The sides of the triangles at corners and in cells, and the side of each mesh that is nearer.
+void vtkRelievoTriangleSight::GatherSides()
 {
-  return 16.0 * (this->Error + this->ErrorByQ * box.Max.z);
-}
-
-//------------------------------------------------------------------------------
-vtkRelievoTriangleSight::Side vtkRelievoTriangleSight::GetSide(
-  const Vertex& a, const Vertex& b, const Vertex& c, const Box& box) const
-{
-  const double error = this->GetError(box);
-  const double size = std::max(box.Max.x - box.Min.x, box.Max.y - box.Min.y);
-  const double area = (b.X - a.X) * (c.Y - a.Y) - (c.X - a.X) * (b.Y - a.Y);
-  const bool isClear = std::abs(area) > LeastArea * size * size &&
-    std::abs(area) > LeastShare * error * size && error < vtkRelievoWideTree::Room &&
-    this->DepthErrorByQ * box.Max.z < 0.1 * RoomOfDepth;
-  return !isClear ? Side::Unclear : area > 0.0 ? Side::Front : Side::Back;
+  std::fill(this->CellSides.begin(), this->CellSides.end(), std::uint8_t(0));
+  for (std::size_t m = 0; m < this->Meshes.size(); ++m)
+  {
+    Projected& mesh = this->Meshes[m];
+    const bool isCellTaken = static_cast<int>(m) == this->Target && this->HasManyToACell;
+    std::fill(mesh.CornerSides.begin(), mesh.CornerSides.end(), std::uint8_t(0));
+    double reach[2] = { 0.0, 0.0 }; // of fronts and backs
+    double count[2] = { 0.0, 0.0 };
+    for (std::size_t i = 0; i < mesh.Sides.size(); ++i)
+    {
+      const Side side = mesh.Sides[i];
+      const std::uint32_t* corners = mesh.Mesh->GetCorners(static_cast<int>(i));
+      for (int k = 0; k < 3; ++k)
+      {
+        mesh.CornerSides[corners[k]] |= side;
+      }
+      if (isCellTaken)
+      {
+        const vtkIdType cell = mesh.Mesh->GetCell(static_cast<int>(i));
+        this->CellSides[static_cast<std::size_t>(cell)] |= side;
+      }
+      if (side != Side::Unclear && IsInView(mesh.Boxes[i]))
+      {
+        reach[side == Side::Back] += mesh.Boxes[i].Max.z;
+        count[side == Side::Back] += 1.0;
+      }
+    }
+    mesh.Nearer = reach[0] * count[1] >= reach[1] * count[0] ? Side::Front : Side::Back;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -322,71 +360,97 @@ void vtkRelievoTriangleSight::FillLayers()
   {
     for (const Box& box : mesh.Boxes)
     {
-      if (box.Min.x <= box.Max.x)
+      if (IsInView(box))
       {
         ++triangles;
-        sizes += std::max(box.Max.x - box.Min.x, box.Max.y - box.Min.y);
+        sizes += GetSize(box);
       }
     }
   }
   this->Layers.Clear(triangles, sizes / static_cast<double>(std::max<std::size_t>(triangles, 1)));
-  std::fill(this->CellSides.begin(), this->CellSides.end(), std::uint8_t(0));
-  for (std::size_t m = 0; m < this->Meshes.size(); ++m)
+  this->GatherSides();
+  // Those of the nearer side come first: they hide most of the others, which are then in no layer.
+  for (const Projected& mesh : this->Meshes)
   {
-    Projected& mesh = this->Meshes[m];
-    std::fill(mesh.CornerSides.begin(), mesh.CornerSides.end(), std::uint8_t(0));
     for (std::size_t i = 0; i < mesh.Sides.size(); ++i)
     {
-      const std::uint32_t* corners = mesh.Mesh->GetCorners(static_cast<int>(i));
-      for (int k = 0; k < 3; ++k)
-      {
-        mesh.CornerSides[corners[k]] |= mesh.Sides[i];
-      }
-      if (static_cast<int>(m) == this->Target && this->HasManyToACell)
-      {
-        const vtkIdType cell = mesh.Mesh->GetCell(static_cast<int>(i));
-        this->CellSides[static_cast<std::size_t>(cell)] |= mesh.Sides[i];
-      }
-    }
-    // An edge is on no outline if triangles of one side surround one of its ends without a gap.
-    const auto mayEnd = [&mesh](std::uint32_t corner) {
-      const std::uint8_t sides = mesh.CornerSides[corner];
-      return !mesh.IsClosed[corner] || (sides != Side::Front && sides != Side::Back);
-    };
-    for (std::size_t i = 0; i < mesh.Sides.size(); ++i)
-    {
-      const Box& box = mesh.Boxes[i];
-      if (!(box.Min.x <= box.Max.x))
+      if (!IsInView(mesh.Boxes[i]))
       {
         continue;
       }
       if (mesh.Sides[i] == Side::Unclear)
       {
-        this->Layers.Block(box);
-        continue;
+        this->Layers.Block(mesh.Boxes[i]);
       }
-      const std::uint32_t* corners = mesh.Mesh->GetCorners(static_cast<int>(i));
-      glm::dvec2 p[3];
-      bool ends[3];
-      for (int k = 0; k < 3; ++k)
+      else if (mesh.Sides[i] == mesh.Nearer)
       {
-        const Vertex& vertex = mesh.Vertices[corners[k]];
-        p[k] = glm::dvec2(vertex.X, vertex.Y);
-        ends[k] = mayEnd(corners[k]);
-      }
-      const double size = std::max(box.Max.x - box.Min.x, box.Max.y - box.Min.y);
-      this->Layers.Add(mesh.Sides[i] == Side::Front, p, box, this->GetError(box) * size);
-      for (int k = 0; k < 3; ++k)
-      {
-        const int next = (k + 1) % 3;
-        if (ends[k] && ends[next])
-        {
-          this->Layers.AddOutline(p[k], p[next], box);
-        }
+        this->AddToLayers(mesh, i);
       }
     }
   }
   this->Layers.Finish();
+  std::fill(this->HiddenChunks.begin(), this->HiddenChunks.end(), char(0));
+  for (std::size_t m = 0; m < this->Meshes.size(); ++m)
+  {
+    const Projected& mesh = this->Meshes[m];
+    for (std::size_t first = 0; first < mesh.Sides.size(); first += Chunk)
+    {
+      Box around = vtkRelievoWideTree::Nowhere();
+      unsigned farther = 0; // bits
+      bool isAll = true;
+      const std::size_t end = std::min(first + Chunk, mesh.Sides.size());
+      for (std::size_t i = first; i < end; ++i)
+      {
+        const Box& box = mesh.Boxes[i];
+        const bool isFarther = mesh.Sides[i] != Side::Unclear && mesh.Sides[i] != mesh.Nearer;
+        if (isFarther && IsInView(box))
+        {
+          around = { glm::min(around.Min, box.Min), glm::max(around.Max, box.Max) };
+          farther |= 1u << (i - first);
+        }
+        isAll = isAll && isFarther;
+      }
+      if (farther != 0 && this->Layers.IsHidden(around))
+      {
+        if (static_cast<int>(m) == this->Target)
+        {
+          this->HiddenChunks[first / Chunk] = isAll ? 1 : 0;
+        }
+        continue;
+      }
+      for (; farther != 0; farther &= farther - 1)
+      {
+        this->AddToLayers(mesh, first + static_cast<std::size_t>(vtkRelievoGetLowest(farther)));
+      }
+    }
+  }
+  this->Layers.Finish();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoTriangleSight::AddToLayers(const Projected& mesh, std::size_t triangle)
+{
+  const Box& box = mesh.Boxes[triangle];
+  const std::uint32_t* corners = mesh.Mesh->GetCorners(static_cast<int>(triangle));
+  glm::dvec2 p[3];
+  bool ends[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vertex& vertex = mesh.Vertices[corners[k]];
+    p[k] = glm::dvec2(vertex.X, vertex.Y);
+    // An edge is on no outline if triangles of one side surround one of its ends without a gap.
+    const std::uint8_t sides = mesh.CornerSides[corners[k]];
+    ends[k] = !mesh.IsClosed[corners[k]] || (sides != Side::Front && sides != Side::Back);
+  }
+  this->Layers.Add(mesh.Sides[triangle] == Side::Front, p, box, this->GetError(box) * GetSize(box));
+  for (int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3;
+    if (ends[k] && ends[next])
+    {
+      this->Layers.AddOutline(p[k], p[next], box);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -400,12 +464,10 @@ vtkRelievoTriangleSight::State vtkRelievoTriangleSight::Judge(const Box& box) co
 
 //------------------------------------------------------------------------------
 // Whether the layers may determine the state of a triangle's points.
-bool vtkRelievoTriangleSight::HasLayer(int triangle) const
+inline bool vtkRelievoTriangleSight::HasLayer(const Projected& mesh, int triangle) const
 {
-  const Projected& mesh = this->Meshes[static_cast<std::size_t>(this->Target)];
   const auto at = static_cast<std::size_t>(triangle);
-  return mesh.Sides[at] != Side::Unclear && this->SampleStates[at] == 0 &&
-    mesh.Boxes[at].Min.x <= mesh.Boxes[at].Max.x;
+  return mesh.Sides[at] != Side::Unclear && this->SampleStates[at] == 0 && IsInView(mesh.Boxes[at]);
 }
 
 //------------------------------------------------------------------------------
@@ -429,13 +491,14 @@ void vtkRelievoTriangleSight::JudgeTriangle(int triangle, State state)
 }
 
 //------------------------------------------------------------------------------
-// Whether the state of a corner, which lies ahead, is still to be determined. Excludes coordinates
-// so large that rounding moves the hit of a ray with the corner's own triangles.
-bool vtkRelievoTriangleSight::IsOpen(std::size_t corner) const
+// Whether the state of a corner in the view is still to be determined. Excludes coordinates so
+// large that rounding moves the hit of a ray with the corner's own triangles.
+inline bool vtkRelievoTriangleSight::IsOpen(const Projected& mesh, std::size_t corner) const
 {
-  const double q = this->Meshes[static_cast<std::size_t>(this->Target)].Vertices[corner].Q;
-  return q > 0.0 && this->DepthErrorByQ * q < MostAtCorners &&
-    this->CornerStates[corner] == State::Unknown;
+  const Vertex& vertex = mesh.Vertices[corner];
+  return this->CornerStates[corner] == State::Unknown && vertex.Q > 0.0 &&
+    this->DepthErrorByQ * vertex.Q < MostAtCorners && std::abs(vertex.X) <= 1.0 &&
+    std::abs(vertex.Y) <= 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -444,7 +507,7 @@ void vtkRelievoTriangleSight::JudgeCorner(std::size_t corner, const Box& around,
 {
   const Projected& mesh = this->Meshes[static_cast<std::size_t>(this->Target)];
   const Vertex& vertex = mesh.Vertices[corner];
-  if (!this->IsOpen(corner))
+  if (!this->IsOpen(mesh, corner))
   {
     return;
   }
@@ -519,7 +582,7 @@ void vtkRelievoTriangleSight::Fill(Group& group, int chunk) const
   for (int i = first; i < end; ++i)
   {
     const Box& box = mesh.Boxes[static_cast<std::size_t>(i)];
-    if (!(box.Min.x <= box.Max.x) || this->SampleStates[static_cast<std::size_t>(i)] != 0)
+    if (!IsInView(box) || this->SampleStates[static_cast<std::size_t>(i)] != 0)
     {
       continue;
     }
@@ -551,7 +614,7 @@ void vtkRelievoTriangleSight::Fill(Group& group, int chunk) const
   for (std::size_t i = this->Firsts[chunkAt]; i < this->Firsts[chunkAt + 1]; ++i)
   {
     const Vertex& vertex = mesh.Vertices[i];
-    if (!this->IsOpen(i) || std::abs(vertex.X) > 1.0 || std::abs(vertex.Y) > 1.0)
+    if (!this->IsOpen(mesh, i))
     {
       continue;
     }
@@ -611,23 +674,41 @@ void vtkRelievoTriangleSight::LookAtChunk(int chunk, const View& view)
   unsigned layered = 0; // bits
   for (int i = Chunk * chunk; i < end; ++i)
   {
-    if (this->HasLayer(i))
+    if (this->HasLayer(target, i))
     {
       const Box& box = target.Boxes[static_cast<std::size_t>(i)];
       around = { glm::min(around.Min, box.Min), glm::max(around.Max, box.Max) };
       layered |= 1u << (i - Chunk * chunk);
     }
   }
-  const State state = this->Judge(around);
+  const bool isHidden = this->HiddenChunks[static_cast<std::size_t>(chunk)] != 0;
+  const State state = isHidden ? State::Hidden : this->Judge(around);
   for (; layered != 0; layered &= layered - 1)
   {
     this->JudgeTriangle(Chunk * chunk + vtkRelievoGetLowest(layered), state);
+  }
+  bool isOpen = false;
+  for (int i = Chunk * chunk; i < end; ++i)
+  {
+    const auto at = static_cast<std::size_t>(i);
+    isOpen = isOpen || (this->SampleStates[at] == 0 && IsInView(target.Boxes[at]));
   }
   const auto number = static_cast<std::size_t>(chunk);
   for (std::size_t i = this->Firsts[number]; i < this->Firsts[number + 1]; ++i)
   {
     this->JudgeCorner(i, around, state);
+    isOpen = isOpen || this->IsOpen(target, i);
   }
+  if (isOpen)
+  {
+    this->CompareChunk(chunk, view);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Compares the points of a chunk whose state the layers do not determine with triangles.
+void vtkRelievoTriangleSight::CompareChunk(int chunk, const View& view)
+{
   Group group;
   this->Fill(group, chunk);
   if (group.Count == 0)
@@ -657,8 +738,8 @@ void vtkRelievoTriangleSight::LookAtChunk(int chunk, const View& view)
     const std::uint32_t* corners = mesh.Mesh->GetCorners(triangle);
     const Vertex* const v[3] = { &mesh.Vertices[corners[0]], &mesh.Vertices[corners[1]],
       &mesh.Vertices[corners[2]] };
-    Facing facing{ meshAt, triangle, { v[0], v[1], v[2] }, {}, {},
-      std::max(box.Max.x - box.Min.x, box.Max.y - box.Min.y), this->GetError(box) };
+    Facing facing{ meshAt, triangle, { v[0], v[1], v[2] }, {}, {}, GetSize(box),
+      this->GetError(box) };
     for (int k = 0; k < 3; ++k)
     {
       facing.X[k] = static_cast<float>(v[k]->X - group.Center[0]);

@@ -96,6 +96,7 @@ private:
     std::vector<std::uint8_t> CornerSides; // of all triangles at each corner
     std::vector<char> IsClosed; // corners: triangles have each edge there as often in one direction
                                 // as in the other
+    Side Nearer = Side::Front;  // the side of the triangles that are nearer in the mean
   };
 
   // A triangle that is not entirely ahead, in the view's coordinates.
@@ -112,14 +113,21 @@ private:
 
   void Project(int mesh, const View& view);
   Side GetSide(const Vertex& a, const Vertex& b, const Vertex& c, const Box& box) const;
-  double GetError(const Box& box) const;
+  // Error of twice the areas of triangles, per length of their sides.
+  double GetError(const Box& box) const
+  {
+    return 16.0 * (this->Error + this->ErrorByQ * box.Max.z);
+  }
   void FillLayers();
+  void GatherSides();
+  void AddToLayers(const Projected& mesh, std::size_t triangle);
   State Judge(const Box& box) const;
-  bool HasLayer(int triangle) const;
+  bool HasLayer(const Projected& mesh, int triangle) const;
   void JudgeTriangle(int triangle, State state);
   void JudgeCorner(std::size_t corner, const Box& around, State state);
-  bool IsOpen(std::size_t corner) const;
+  bool IsOpen(const Projected& mesh, std::size_t corner) const;
   void LookAtChunk(int chunk, const View& view);
+  void CompareChunk(int chunk, const View& view);
   void Fill(Group& group, int chunk) const;
   void FillQuad(Quad& quad, int count) const;
   static unsigned MayHide(const Facing& facing, const Quad& quad, double reach);
@@ -135,6 +143,7 @@ private:
   std::vector<std::size_t> Firsts;
   std::vector<Wild> Wilds;                // in the view
   vtkRelievoLayerGrid Layers;             // in the view
+  std::vector<char> HiddenChunks;         // of the target, by layers of nearer sides
   std::vector<std::uint8_t> CellSides;    // of all triangles of the target's cells
   double Error = 0.0;                     // of X and Y
   double ErrorByQ = 0.0;                  // additional error, times Q

@@ -408,14 +408,36 @@ class Seen(unittest.TestCase):
         cells = numpy.concatenate([first + [0, 1, 16], first + [0, 16, 15]])
         self.compare_with_rays(numpy.array(points), numpy.concatenate([cells, cells + 225]))
 
-    def compare_with_rays(self, points, cells):
+    def test_far_sides_beside_silhouettes(self):
+        # Some of a bumpy ring's far side is in the layers of its near side.
+        turn, tilt = numpy.meshgrid(numpy.arange(46), numpy.arange(23), indexing="ij")
+        u, v = 2 * numpy.pi * turn / 46, 2 * numpy.pi * tilt / 23
+        thick = 0.4 + 0.02 * numpy.sin(12 * u) * numpy.sin(6 * v)
+        far = 1 + thick * numpy.cos(v)
+        points = numpy.stack([far * numpy.cos(u), far * numpy.sin(u), thick * numpy.sin(v)], -1)
+        points = points.reshape(-1, 3)
+        at = [((turn + i) % 46 * 23 + (tilt + j) % 23).ravel() for i, j in
+              ((0, 0), (1, 0), (1, 1), (0, 1))]  # fmt: skip
+        cells = numpy.concatenate([numpy.stack([at[0], at[k], at[k + 1]], -1) for k in (1, 2)])
+        rays = relievo.rays(mesh_of(points, cells))
+
+        def nearest(eye, directions, _):
+            hits = rays.nearest(eye, directions)
+            return hits.cell, hits.distance / numpy.linalg.norm(directions, axis=1)
+
+        turns = 2.4 * numpy.arange(8)
+        eyes = numpy.stack([numpy.cos(turns), numpy.sin(turns), numpy.linspace(-1, 1, 8)], -1)
+        self.compare_with_rays(points, cells, nearest, 4 * eyes)
+
+    def compare_with_rays(self, points, cells, first_hits=first_hits,
+                          eyes=((3.5, 1, 0.4), (-1.1, -1.5, 1.2))):  # fmt: skip
         corners = points[cells]
         beside = numpy.array([(1 / 3,) * 3, *(numpy.eye(3) * 0.9 + 0.1 / 3)])
         samples = numpy.einsum("sk,cki->csi", beside, corners).reshape(-1, 3)
         mesh = mesh_of(points, cells)
         lens = numpy.array([[30, 0, 19.5], [0, 30, 14.5], [0, 0, 1.0]])
         for sensor in (relievo.Pinhole(lens, (40, 30)), relievo.Equirectangular((48, 24))):
-            for eye in ((3.5, 1, 0.4), (-1.1, -1.5, 1.2)):
+            for eye in eyes:
                 sensor.look_at(eye, (0.1, 0, 0), (0, 0, 1))
                 seen = relievo.visible(mesh, sensor)
                 directions = sensor.rays()[1].reshape(-1, 3)
