@@ -34,7 +34,7 @@ std::string WriteDatasetNumber(std::size_t number);
 /// Serializes JSON; bytes that are not Unicode are replaced.
 std::string WriteDatasetJson(const nlohmann::ordered_json& json);
 
-/// Writes pixels as a PNG, row by row from the top.
+/// Writes pixels of 1 or 3 components as a PNG, row by row from the top.
 std::string EncodePNG(
   const std::vector<unsigned char>& pixels, int columns, int rows, int components);
 std::string EncodePNG(const std::vector<unsigned short>& pixels, int columns, int rows);
