@@ -32,6 +32,7 @@
 #include "vtkRelievoPrimitiveIds.h"
 #include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
+#include "vtkRelievoSoftwareOpenGL.h"
 #include "vtkRelievoSurfaces.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkRelievoViewsTarget.h"
@@ -605,6 +606,7 @@ void vtkRelievoLayersStage::Internals::Arrange(
 {
   this->RefinesDepth = self.RefineDepth;
   vtkRelievoGBufferLayout layout;
+  layout.Narrow = vtkRelievoIsSoftwareOpenGL();
   layout.Lights = context.Lights;
   layout.NormalFormat = self.GetNormalFormatUsed();
   layout.DepthFormat = self.GetDepthFormatUsed();

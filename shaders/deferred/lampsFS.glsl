@@ -27,6 +27,9 @@
 vec3 relievoFaceVC = vec3(0.0); // the triangle's normal
 #endif
 #ifdef RELIEVO_LAMPS_ON_COLOR
+#ifdef RELIEVO_TO_DISPLAY
+#define RELIEVO_ONLY_SHOWN
+#endif
 //RELIEVO::Include(frame/color.glsl)
 //RELIEVO::Include(deferred/matte.glsl)
 #endif

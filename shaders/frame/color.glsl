@@ -28,6 +28,6 @@ vec4 relievoFetchColor(ivec2 pixel)
 vec4 relievoShownColor(ivec2 pixel, vec4 color)
 {
   vec4 drawn = texelFetch(relievoDrawn, pixel + relievoDrawnOffset, 0);
-  vec4 shown = vec4(relievoSrgbColorFromLinear(color.rgb), color.a);
-  return all(lessThan(abs(shown - drawn), vec4(2.0e-6))) ? drawn : shown;
+  vec4 shown = vec4(relievoShownColorFromLinear(color.rgb), color.a);
+  return all(lessThan(abs(shown - drawn), vec4(5.0e-6))) ? drawn : shown;
 }

@@ -27,25 +27,26 @@ uniform int relievoParallel;
 uint relievoFetchWord(ivec2 pixel, int word)
 {
   ivec2 texel = pixel + relievoOffset;
+  int attachment = word / RELIEVO_ATTACHMENT_WORDS;
   uvec4 words = uvec4(uint(0));
-  if (word < 4)
+  if (attachment == 0)
   {
     words = texelFetch(relievoWords1, texel, 0);
   }
 #if RELIEVO_ATTACHMENTS > 1
-  else if (word < 8)
+  else if (attachment == 1)
   {
     words = texelFetch(relievoWords2, texel, 0);
   }
 #endif
 #if RELIEVO_ATTACHMENTS > 2
-  else if (word < 12)
+  else if (attachment == 2)
   {
     words = texelFetch(relievoWords3, texel, 0);
   }
 #endif
 #if RELIEVO_ATTACHMENTS > 3
-  else if (word < 16)
+  else if (attachment == 3)
   {
     words = texelFetch(relievoWords4, texel, 0);
   }
@@ -56,7 +57,7 @@ uint relievoFetchWord(ivec2 pixel, int word)
     words = texelFetch(relievoWords5, texel, 0);
   }
 #endif
-  int channel = word % 4;
+  int channel = word % RELIEVO_ATTACHMENT_WORDS;
   return channel == 0 ? words.x : channel == 1 ? words.y : channel == 2 ? words.z : words.w;
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spliced into VTK's fragment shaders: packs the requested layers into the words of the G-buffer.
 //
-// Defines, by vtkRelievoGBufferLayout: RELIEVO_ATTACHMENTS, RELIEVO_*_WORD, RELIEVO_*_FORMAT; by
+// Defines, by vtkRelievoGBufferLayout: RELIEVO_ATTACHMENTS, each of RELIEVO_ATTACHMENT_WORDS,
+// RELIEVO_*_WORD, RELIEVO_*_FORMAT; by
 // vtkRelievoGBufferSplice, from the mapper's shader: RELIEVO_FACE_NORMAL (the face's normal is
 // requested, and VTK computes none), RELIEVO_HAS_NORMAL (normalVCVSOutput),
 // RELIEVO_NORMAL_BY_WINDING, RELIEVO_GLYPH_WINDING (winding.glsl is spliced), RELIEVO_GLYPH_DEPTH
@@ -31,6 +32,12 @@ layout(location = 4) out uvec4 relievoOutput4;
 #endif
 #if RELIEVO_ATTACHMENTS > 4
 layout(location = 5) out uvec4 relievoOutput5;
+#endif
+#if RELIEVO_ATTACHMENT_WORDS > 2
+#define RELIEVO_ATTACHMENT(n) uvec4(relievoWords[4 * n], relievoWords[4 * n + 1], \
+    relievoWords[4 * n + 2], relievoWords[4 * n + 3])
+#else
+#define RELIEVO_ATTACHMENT(n) uvec4(relievoWords[2 * n], relievoWords[2 * n + 1], uint(0), uint(0))
 #endif
 uniform int relievoFirstPrimitive; // -1: the words are used up
 uniform float relievoWinding; // -1 if actor, view and projection together mirror
@@ -98,8 +105,8 @@ uvec3 relievoPackNormal(vec3 n)
 #endif
 
 //RELIEVO::Section(FragmentImpl)
-  uint relievoWords[4 * RELIEVO_ATTACHMENTS];
-  for (int i = 0; i < 4 * RELIEVO_ATTACHMENTS; ++i)
+  uint relievoWords[RELIEVO_ATTACHMENT_WORDS * RELIEVO_ATTACHMENTS];
+  for (int i = 0; i < RELIEVO_ATTACHMENT_WORDS * RELIEVO_ATTACHMENTS; ++i)
   {
     relievoWords[i] = uint(0);
   }
@@ -288,18 +295,18 @@ uvec3 relievoPackNormal(vec3 n)
   //RELIEVO::Shadow::Words
 #endif
 
-  relievoOutput1 = uvec4(relievoWords[0], relievoWords[1], relievoWords[2], relievoWords[3]);
+  relievoOutput1 = RELIEVO_ATTACHMENT(0);
 #if RELIEVO_ATTACHMENTS > 1
-  relievoOutput2 = uvec4(relievoWords[4], relievoWords[5], relievoWords[6], relievoWords[7]);
+  relievoOutput2 = RELIEVO_ATTACHMENT(1);
 #endif
 #if RELIEVO_ATTACHMENTS > 2
-  relievoOutput3 = uvec4(relievoWords[8], relievoWords[9], relievoWords[10], relievoWords[11]);
+  relievoOutput3 = RELIEVO_ATTACHMENT(2);
 #endif
 #if RELIEVO_ATTACHMENTS > 3
-  relievoOutput4 = uvec4(relievoWords[12], relievoWords[13], relievoWords[14], relievoWords[15]);
+  relievoOutput4 = RELIEVO_ATTACHMENT(3);
 #endif
 #if RELIEVO_ATTACHMENTS > 4
-  relievoOutput5 = uvec4(relievoWords[16], relievoWords[17], relievoWords[18], relievoWords[19]);
+  relievoOutput5 = RELIEVO_ATTACHMENT(4);
 #endif
 #ifdef RELIEVO_LINEAR_VISIBILITY
   // Window z cannot order far fragments if far / near is large; a float of the depth itself keeps

@@ -57,6 +57,25 @@ void TestSrgb()
     const float again = f32::relievoSrgbFromLinear(linear) * 255.f;
     RELIEVO_CHECK_NEAR(again, code, 1e-3, "8-bit sRGB code");
   }
+  // By roots: over the light of all halves, and over the light of 8 bits.
+  double fromShown = 0.;
+  double shown = 0.;
+  for (int i = 0; i <= 100000; ++i)
+  {
+    const double value = 107.2 * std::pow(i / 100000., 3.);
+    const double linear = f64::relievoLinearFromSrgb(value);
+    const double off = f32::relievoLinearFromShown(static_cast<float>(value)) - linear;
+    fromShown = std::max(fromShown, std::abs(off) / std::max(linear, 1e-3));
+    const double light = std::pow(i / 100000., 3.);
+    shown = std::max(shown,
+      std::abs(f32::relievoShownFromLinear(static_cast<float>(light)) -
+        f64::relievoSrgbFromLinear(light)));
+  }
+  RELIEVO_CHECK_AT_MOST(fromShown, 4e-6, "from sRGB by roots, relative");
+  RELIEVO_CHECK_AT_MOST(shown, 2e-6, "to sRGB by roots");
+  RELIEVO_CHECK(f64::relievoLinearFromSrgb(107.2) > 65504.);
+  RELIEVO_CHECK_NEAR(f32::relievoShownFromLinear(9.f), 1., 2e-6, "light above 1");
+  RELIEVO_CHECK(f32::relievoShownFromLinear(-1.f) < 0.f && f32::relievoLinearFromShown(-1.f) < 0.f);
   const glm::dvec3 color = f64::relievoSrgbColorFromLinear(glm::dvec3(0., 0.18, 1.));
   RELIEVO_CHECK(color.x == 0. && color.y == f64::relievoSrgbFromLinear(0.18));
   RELIEVO_CHECK_NEAR(color.z, 1., 1e-15, "white");

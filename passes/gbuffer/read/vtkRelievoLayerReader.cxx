@@ -140,15 +140,16 @@ const std::uint32_t* vtkRelievoLayerReader::GetWords(int word)
 {
   if (!this->Words[word])
   {
-    const int first = word / 4 * 4;
+    const int most = this->Layout.GetWordsPerAttachment();
+    const int first = word / most * most;
     std::vector<std::uint32_t*> planes;
-    for (int i = first; i < std::min(first + 4, this->Layout.GetNumberOfWords()); ++i)
+    for (int i = first; i < std::min(first + most, this->Layout.GetNumberOfWords()); ++i)
     {
       this->Words[i].reset(static_cast<std::uint32_t*>(
         vtkRelievoNewImageMemory(this->GetNumberOfPixels() * sizeof(std::uint32_t))));
       planes.push_back(this->Words[i].get());
     }
-    this->Source.Read(word / 4, this->Region, planes);
+    this->Source.Read(word / most, this->Region, planes);
   }
   return this->Words[word].get();
 }

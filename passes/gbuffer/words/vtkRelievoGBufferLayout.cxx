@@ -92,7 +92,8 @@ void vtkRelievoGBufferLayout::Arrange()
   this->ChosenNormalFormat = this->NormalFormat;
   if (this->NormalFormat == vtkRelievoWordFormats::NORMAL_AUTO)
   {
-    // Full floats if they fit into the attachments that are needed anyway, otherwise one word.
+    // Full floats if they fit into the attachments of four words that are needed anyway, otherwise
+    // one word.
     const int togetherWords = together ? GetNormalDepthWords(this->NormalDepth) : 0;
     const int others = togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) +
       (this->Places ? 2 : 0) + (this->Albedo ? 1 : 0) + (this->Surface ? 1 : 0) +
@@ -123,9 +124,23 @@ void vtkRelievoGBufferLayout::Arrange()
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoGBufferLayout::GetWordsPerAttachment() const
+{
+  return this->Narrow && this->GetNumberOfWords() <= 2 * MostAttachments ? 2 : 4;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoGBufferLayout::GetNumberOfAttachments() const
+{
+  const int words = this->GetWordsPerAttachment();
+  return (this->GetNumberOfWords() + words - 1) / words;
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoGBufferLayout::GetNumberOfChannels(int attachment) const
 {
-  const int rest = std::min(4, this->GetNumberOfWords() - 4 * attachment);
+  const int words = this->GetWordsPerAttachment();
+  const int rest = std::min(words, this->GetNumberOfWords() - words * attachment);
   return rest == 3 ? 4 : rest;
 }
 
@@ -134,6 +149,7 @@ std::string vtkRelievoGBufferLayout::GetDefines() const
 {
   std::ostringstream out;
   out << "#define RELIEVO_ATTACHMENTS " << this->GetNumberOfAttachments() << "\n";
+  out << "#define RELIEVO_ATTACHMENT_WORDS " << this->GetWordsPerAttachment() << "\n";
   auto define = [&out](const char* name, int word) {
     if (word >= 0)
     {

@@ -34,6 +34,9 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   int NormalFormat = 0;              // vtkRelievoWordFormats::Normals
   int DepthFormat = 0;               // vtkRelievoWordFormats::Depths
   int NormalDepth = 0;               // vtkRelievoWordFormats::NormalDepths
+  // Whether attachments have two words instead of four, if these suffice: software OpenGL draws
+  // texels of up to 8 bytes faster than larger ones, in several attachments too.
+  bool Narrow = false;
 
   // Position of each channel: its first word, or -1. Set by Arrange().
   int DepthWord = -1;
@@ -68,7 +71,10 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
 
   bool IsEmpty() const { return this->Background.empty(); }
   int GetNumberOfWords() const { return static_cast<int>(this->Background.size()); }
-  int GetNumberOfAttachments() const { return (this->GetNumberOfWords() + 3) / 4; }
+  int GetNumberOfAttachments() const;
+
+  // The words of each attachment but the last, which may have fewer.
+  int GetWordsPerAttachment() const;
 
   // 1, 2 or 4: textures of three words are not renderable on every OpenGL.
   int GetNumberOfChannels(int attachment) const;

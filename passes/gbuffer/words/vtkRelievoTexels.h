@@ -44,12 +44,13 @@ inline void Gather(const std::uint32_t* from, int stride, std::uint32_t* to, std
 // Clears the bound draw buffers, of which the first belongs to the colour.
 inline void ClearToBackground(const vtkRelievoGBufferLayout& layout)
 {
+  const int most = layout.GetWordsPerAttachment();
   for (int i = 0; i < layout.GetNumberOfAttachments(); ++i)
   {
     GLuint words[4] = { 0, 0, 0, 0 };
-    for (int k = 0; k < 4 && 4 * i + k < layout.GetNumberOfWords(); ++k)
+    for (int k = 0; k < most && most * i + k < layout.GetNumberOfWords(); ++k)
     {
-      words[k] = layout.Background[4 * i + k];
+      words[k] = layout.Background[most * i + k];
     }
     glClearBufferuiv(GL_COLOR, 1 + i, words);
   }

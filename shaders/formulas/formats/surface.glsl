@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A surface's lighting properties, packed in words of 32 bits.
+// A surface's lighting properties, packed in words of 32 bits. Floats become int before uint, for
+// which processors have an instruction.
 
 const float relievoMostSpecularPower = float(128.0); // the limit of vtkProperty
 
@@ -8,9 +9,9 @@ const float relievoMostSpecularPower = float(128.0); // the limit of vtkProperty
 // square roots, which preserves the digits of dark ones.
 uint relievoPackSurfaceColor(vec3 color, uint kind)
 {
-  uint red = uint(clamp(color.x, float(0.0), float(1.0)) * float(1023.0) + float(0.5));
-  uint green = uint(clamp(color.y, float(0.0), float(1.0)) * float(1023.0) + float(0.5));
-  uint blue = uint(clamp(color.z, float(0.0), float(1.0)) * float(511.0) + float(0.5));
+  uint red = uint(int(clamp(color.x, float(0.0), float(1.0)) * float(1023.0) + float(0.5)));
+  uint green = uint(int(clamp(color.y, float(0.0), float(1.0)) * float(1023.0) + float(0.5)));
+  uint blue = uint(int(clamp(color.z, float(0.0), float(1.0)) * float(511.0) + float(0.5)));
   return red | (green << uint(10)) | (blue << uint(20)) | (kind << uint(29));
 }
 
@@ -29,8 +30,8 @@ uint relievoUnpackSurfaceKind(uint word)
 // Two numbers of 0 to 1 in 16 bits each.
 uint relievoPackUnorm16(vec2 v)
 {
-  uint x = uint(clamp(v.x, float(0.0), float(1.0)) * float(65535.0) + float(0.5));
-  uint y = uint(clamp(v.y, float(0.0), float(1.0)) * float(65535.0) + float(0.5));
+  uint x = uint(int(clamp(v.x, float(0.0), float(1.0)) * float(65535.0) + float(0.5)));
+  uint y = uint(int(clamp(v.y, float(0.0), float(1.0)) * float(65535.0) + float(0.5)));
   return x | (y << uint(16));
 }
 
