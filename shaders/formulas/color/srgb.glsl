@@ -32,23 +32,23 @@ vec3 relievoLinearColorFromSrgb(vec3 srgb)
 // The same curves by fourth roots and polynomials, for pictures of 8 bits: in software OpenGL they
 // take half the time of powers. Polynomials of least relative error for root^(5/3) and root^1.6.
 
-// Light above 1 counts as 1. The relative error is at most 1.2e-6, of the power, and of roundings.
+// Light above 1 counts as 1. The relative error is at most 2.8e-7, of the power, and of roundings.
 float relievoShownFromLinear(float linear)
 {
   float light = linear > float(1.0) ? float(1.0) : linear;
   float r = sqrt(sqrt(light));
   float r2 = r * r;
   float r4 = r2 * r2;
-  float power = ((float(-0.00298010833) + float(0.112860341) * r) +
-      r2 * (float(1.41142381) - float(1.18029491) * r)) +
-    r4 * ((float(1.30401609) - float(1.02127993) * r) +
-        r2 * (float(0.471730318) - float(0.0954767101) * r));
+  float power = ((float(-0.00237415688) + float(0.102213915) * r) +
+      r2 * (float(1.4902488) - float(1.50133536) * r)) +
+    r4 * (((float(2.09087622) - float(2.21082622) * r) +
+        r2 * (float(1.55658552) - float(0.642225034) * r)) + r4 * float(0.116836581));
   return linear <= float(0.0031308) ? float(12.92) * linear
                                     : float(1.055) * power - float(0.055);
 }
 
 // Values above 107.2, the light of the largest half, count as this. The relative error is at most
-// 1.9e-6, and of roundings.
+// 5.6e-7, and of roundings.
 float relievoLinearFromShown(float srgb)
 {
   float value = srgb > float(107.2) ? float(107.2) : srgb;
@@ -56,11 +56,11 @@ float relievoLinearFromShown(float srgb)
   float r = sqrt(sqrt(base));
   float r2 = r * r;
   float r4 = r2 * r2;
-  float power = ((float(-0.0148600911) + float(0.256501677) * r) +
-      r2 * (float(1.03693761) - float(0.434065061) * r)) +
-    r4 * ((float(0.220747302) - float(0.0829230872) * r) +
-        r2 * (float(0.0203780454) - float(0.00289371578) * r)) +
-    (r4 * r4) * float(0.000179081367);
+  float power = ((float(-0.0123060189) + float(0.237523758) * r) +
+      r2 * (float(1.09658343) - float(0.538048726) * r)) +
+    r4 * (((float(0.331602081) - float(0.157978088) * r) +
+        r2 * (float(0.0527266964) - float(0.0114768512) * r)) +
+        r4 * (float(0.00145529094) - float(0.0000812782107) * r));
   return srgb <= float(0.04045) ? srgb * float(0.07739938080495357) : (base * base) * power;
 }
 
