@@ -305,7 +305,8 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const RaySizes& sizes, 
   vtkRelievoPlacedMesh placed;
   placed.Mesh = mesh;
   vtkRelievoRayTree tree;
-  tree.SetMeshes({ placed });
+  std::string lack;
+  tree.SetMeshes({ placed }, lack);
   const EmbreePeer peer(mesh, bounds);
   const EmbreeBoxes boxes(mesh, bounds);
   const std::vector<RayLine> lines = DrawLines(bounds, sizes.Rays);

@@ -129,9 +129,7 @@ std::optional<GeoTags> GeoTags::Find(const char* file)
   std::uint16_t kind = samples >= 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK;
   TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &kind);
   TIFFClose(tiff);
-  const bool isPlaced =
-    tags.Matrix.size() == 16 || (tags.Scale.size() >= 2 && tags.Ties.size() >= 6);
-  if (kind != PHOTOMETRIC_MINISBLACK || bits < 8 || !isPlaced)
+  if (!IsRaster(kind, bits) || !(tags.HasMatrix() || tags.HasTie()))
   {
     return std::nullopt;
   }

@@ -31,6 +31,18 @@ struct GeoTags
   // file.
   static std::optional<GeoTags> Find(const char* file);
 
+  // Whether samples of this PHOTOMETRIC_ kind are values, not colours.
+  static bool IsRaster(int photometric, int bits)
+  {
+    return photometric == PHOTOMETRIC_MINISBLACK && bits >= 8;
+  }
+
+  ///@{
+  // Which tags give the place in the world; with neither, the file has none.
+  bool HasMatrix() const { return this->Matrix.size() == 16; }
+  bool HasTie() const { return this->Scale.size() >= 2 && this->Ties.size() >= 6; }
+  ///@}
+
   void Read(TIFF* tiff);
   void Write(TIFF* tiff) const; // to a new file
 };

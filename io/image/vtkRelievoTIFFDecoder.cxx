@@ -455,7 +455,7 @@ vtkSmartPointer<vtkImageData> DecodeRaster(const Bytes& bytes, GeoTags& tags)
   Source source{ bytes, 0, {} };
   const Handle tiff = Open(source);
   Layout layout = ReadLayout(tiff.get());
-  if (layout.Photometric != PHOTOMETRIC_MINISBLACK || layout.Bits < 8)
+  if (!GeoTags::IsRaster(layout.Photometric, layout.Bits))
   {
     throw Failure("it is a picture, in colours or of few bits");
   }

@@ -10,6 +10,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <exception>
+#include <new>
 
 namespace relievo
 {
@@ -31,5 +33,27 @@ std::string LoadMeshText(const char* fileName)
       std::strerror(errno) };
   }
   return text;
+}
+
+//------------------------------------------------------------------------------
+std::optional<Refusal> FindRefusal(const std::function<void()>& read)
+{
+  try
+  {
+    read();
+  }
+  catch (const Refusal& refusal)
+  {
+    return refusal;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Refusal{ vtkErrorCode::OutOfDiskSpaceError, "memory ran out" };
+  }
+  catch (const std::exception& thrown)
+  {
+    return Refusal{ vtkErrorCode::OutOfDiskSpaceError, thrown.what() };
+  }
+  return std::nullopt;
 }
 }

@@ -5,6 +5,8 @@
 #ifndef vtkRelievoMeshText_h
 #define vtkRelievoMeshText_h
 
+#include <functional>
+#include <optional>
 #include <string>
 
 namespace relievo
@@ -18,6 +20,9 @@ struct Refusal
 
 // The bytes of a file. Throws Refusal.
 std::string LoadMeshText(const char* fileName);
+
+// Reads a file. The reason for refusing it, also one of memory; empty: it was read.
+std::optional<Refusal> FindRefusal(const std::function<void()>& read);
 }
 
 #endif

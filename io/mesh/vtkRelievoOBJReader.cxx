@@ -9,9 +9,6 @@
 #include "vtkRelievoOBJMesh.h"
 #include "vtkRelievoOBJText.h"
 
-#include <exception>
-#include <new>
-
 vtkStandardNewMacro(vtkRelievoOBJReader);
 
 namespace
@@ -63,27 +60,13 @@ int vtkRelievoOBJReader::RequestData(
     vtkErrorMacro("no file name is set: call SetFileName");
     return 1;
   }
-  const auto refuse = [&](unsigned long code, const std::string& text) {
+  const auto refusal = FindRefusal([&]() { this->Parse(output); });
+  if (refusal)
+  {
     output->Initialize();
     this->Notes.clear();
-    this->SetErrorCode(code);
-    vtkErrorMacro("cannot read " << this->FileName << ": " << text);
-  };
-  try
-  {
-    this->Parse(output);
-  }
-  catch (const Refusal& refusal)
-  {
-    refuse(refusal.Code, refusal.Text);
-  }
-  catch (const std::bad_alloc&)
-  {
-    refuse(vtkErrorCode::OutOfDiskSpaceError, "memory ran out");
-  }
-  catch (const std::exception& thrown)
-  {
-    refuse(vtkErrorCode::OutOfDiskSpaceError, thrown.what());
+    this->SetErrorCode(refusal->Code);
+    vtkErrorMacro("cannot read " << this->FileName << ": " << refusal->Text);
   }
   return 1;
 }

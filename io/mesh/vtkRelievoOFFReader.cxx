@@ -312,15 +312,12 @@ int vtkRelievoOFFReader::RequestData(
     vtkErrorMacro("no file name is set: call SetFileName");
     return 1;
   }
-  try
-  {
-    this->Parse(output);
-  }
-  catch (const Refusal& refusal)
+  const auto refusal = FindRefusal([&]() { this->Parse(output); });
+  if (refusal)
   {
     output->Initialize();
-    this->SetErrorCode(refusal.Code);
-    vtkErrorMacro("cannot read " << this->FileName << ": " << refusal.Text);
+    this->SetErrorCode(refusal->Code);
+    vtkErrorMacro("cannot read " << this->FileName << ": " << refusal->Text);
   }
   return 1;
 }

@@ -9,9 +9,6 @@
 #include "vtkRelievoPLYMesh.h"
 #include "vtkRelievoPLYText.h"
 
-#include <exception>
-#include <new>
-
 vtkStandardNewMacro(vtkRelievoPLYReader);
 
 namespace
@@ -46,13 +43,7 @@ int vtkRelievoPLYReader::RequestData(
     vtkErrorMacro("no file name is set: call SetFileName");
     return 1;
   }
-  const auto refuse = [&](unsigned long code, const std::string& text) {
-    output->Initialize();
-    this->SetErrorCode(code);
-    vtkErrorMacro("cannot read " << this->FileName << ": " << text);
-  };
-  try
-  {
+  const auto refusal = FindRefusal([&]() {
     ply::Content content = ply::Read(LoadMeshText(this->FileName), [this](double share) {
       this->UpdateProgress(0.8 * share);
       return !this->GetAbortExecute();
@@ -62,18 +53,12 @@ int vtkRelievoPLYReader::RequestData(
       MakeMesh(content, output);
       this->UpdateProgress(1.);
     }
-  }
-  catch (const Refusal& refusal)
+  });
+  if (refusal)
   {
-    refuse(refusal.Code, refusal.Text);
-  }
-  catch (const std::bad_alloc&)
-  {
-    refuse(vtkErrorCode::OutOfDiskSpaceError, "memory ran out");
-  }
-  catch (const std::exception& thrown)
-  {
-    refuse(vtkErrorCode::OutOfDiskSpaceError, thrown.what());
+    output->Initialize();
+    this->SetErrorCode(refusal->Code);
+    vtkErrorMacro("cannot read " << this->FileName << ": " << refusal->Text);
   }
   return 1;
 }

@@ -62,12 +62,12 @@ unsigned short* FindKey(std::vector<unsigned short>& keys, unsigned short key)
 std::array<double, 6> MakeTransform(GeoTags& tags)
 {
   std::array<double, 6> at{};
-  if (tags.Matrix.size() == 16)
+  if (tags.HasMatrix())
   {
     const std::vector<double>& m = tags.Matrix;
     at = { m[0], m[1], m[3], m[4], m[5], m[7] };
   }
-  else if (tags.Scale.size() >= 2 && tags.Ties.size() >= 6)
+  else if (tags.HasTie())
   {
     const double a = tags.Scale[0];
     const double e = -tags.Scale[1];
@@ -110,6 +110,20 @@ bool HasScale(const std::string& metadata)
   return false;
 }
 
+// Why the values or their places cannot be used; empty: they can.
+std::string FindFault(GeoTags& tags)
+{
+  const unsigned short* model = FindKey(tags.Keys, ModelType);
+  if (model && *model == Geographic)
+  {
+    return "its coordinates are degrees; convert it to coordinates with lengths, such as "
+           "UTM, by gdalwarp -t_srs EPSG:CODE";
+  }
+  return HasScale(tags.Metadata)
+    ? "its values have a scale or an offset; apply them by gdal_translate -unscale"
+    : "";
+}
+
 template <typename Array, typename Values>
 void AddField(vtkImageData* image, const char* name, const Values& values)
 {
@@ -140,17 +154,10 @@ vtkSmartPointer<vtkImageData> ReadRaster(const std::string& path)
     reinterpret_cast<const unsigned char*>(file.data()), file.size());
   auto image = relievo::image::DecodeRaster(bytes, tags);
   image->GetPointData()->GetScalars()->SetName("height");
-  const unsigned short* model = FindKey(tags.Keys, ModelType);
-  if (model && *model == Geographic)
+  const std::string fault = FindFault(tags);
+  if (!fault.empty())
   {
-    throw relievo::image::Failure(
-      "its coordinates are degrees; convert it to coordinates with lengths, such as "
-      "UTM, by gdalwarp -t_srs EPSG:CODE");
-  }
-  if (HasScale(tags.Metadata))
-  {
-    throw relievo::image::Failure(
-      "its values have a scale or an offset; apply them by gdal_translate -unscale");
+    throw relievo::image::Failure(fault);
   }
   AddField<vtkDoubleArray>(image, relievo::raster::Transform, MakeTransform(tags));
   const std::optional<double> value = tags.FindNoData();
@@ -185,8 +192,7 @@ vtkRelievoGeoTIFFReader::~vtkRelievoGeoTIFFReader()
 int vtkRelievoGeoTIFFReader::CanReadFile(const char* name)
 {
   auto tags = name ? GeoTags::Find(name) : std::nullopt;
-  const unsigned short* model = tags ? FindKey(tags->Keys, ModelType) : nullptr;
-  return tags && !(model && *model == Geographic) && !HasScale(tags->Metadata) ? 1 : 0;
+  return tags && FindFault(*tags).empty() ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

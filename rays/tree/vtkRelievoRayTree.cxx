@@ -103,21 +103,6 @@ void vtkRelievoRayTree::SetMeshTree(vtkPolyData* mesh, bool byOutline,
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoRayTree::SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes)
-{
-  this->PlacesRefitted = false;
-  const bool changed = this->UpdateMeshes(meshes);
-  const bool same = !changed &&
-    std::equal(meshes.begin(), meshes.end(), this->Meshes.begin(), this->Meshes.end(), IsSamePlace);
-  this->Meshes = meshes;
-  if (!same)
-  {
-    this->Place();
-  }
-  return !same;
-}
-
-//------------------------------------------------------------------------------
 bool vtkRelievoRayTree::SetMeshes(
   const std::vector<vtkRelievoPlacedMesh>& meshes, std::string& lack)
 {
@@ -127,7 +112,17 @@ bool vtkRelievoRayTree::SetMeshes(
   {
     if (lack.empty())
     {
-      return this->SetMeshes(meshes);
+      this->PlacesRefitted = false;
+      const bool changed = this->UpdateMeshes(meshes);
+      const bool same = !changed &&
+        std::equal(
+          meshes.begin(), meshes.end(), this->Meshes.begin(), this->Meshes.end(), IsSamePlace);
+      this->Meshes = meshes;
+      if (!same)
+      {
+        this->Place();
+      }
+      return !same;
     }
   }
   catch (const std::bad_alloc&) // its peak depends on the mesh

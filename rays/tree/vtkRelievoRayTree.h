@@ -40,10 +40,8 @@ public:
   };
 
   // Sets the scene. Unchanged meshes and places keep their trees. Returns whether anything has
-  // changed. The meshes must exist as long as rays are traced.
-  bool SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes);
-
-  // Without enough memory the scene is empty, with the numbers in `lack`.
+  // changed. The meshes must exist as long as rays are traced. Without enough memory the scene is
+  // empty, with the numbers in `lack`.
   bool SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes, std::string& lack);
 
   // Bytes that SetMeshes usually needs, at its peak, beyond those held now.

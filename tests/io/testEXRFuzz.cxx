@@ -5,33 +5,18 @@
 #include "ExrMutator.h"
 #include "ExrSeeds.h"
 
+#include "AddressLimit.h"
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"
 
-#include <sys/resource.h>
-
-#include <fstream>
 #include <iostream>
+#include <optional>
 
 namespace testEXRFuzz
 {
 namespace
 {
-// From here on this process may take 1 GiB of addresses more. Sanitizers need more than that.
-void LimitMemory()
-{
-#ifndef __SANITIZE_ADDRESS__
-  std::ifstream statm("/proc/self/statm");
-  rlim_t pages = 0;
-  statm >> pages;
-  struct rlimit limit;
-  getrlimit(RLIMIT_AS, &limit);
-  limit.rlim_cur = pages * 4096 + (rlim_t(1) << 30);
-  RELIEVO_CHECK(pages > 0 && setrlimit(RLIMIT_AS, &limit) == 0);
-#endif
-}
-
 void TestMutator()
 {
   const std::vector<std::string> seeds = exrFuzz::MakeSeeds(relievoTest::OutputFolder());
@@ -65,7 +50,11 @@ void TestRun()
 RELIEVO_TEST_CASE_APART(testEXRFuzz)
 {
   relievoTest::Session session;
-  LimitMemory();
+  std::optional<relievoTest::AddressLimit> limit;
+  if (relievoTest::AddressLimit::IsUsable)
+  {
+    limit.emplace(1 << 30);
+  }
   TestMutator();
   TestRun();
   return session.Result();

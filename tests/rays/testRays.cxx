@@ -3,6 +3,7 @@
 //
 // Hits of rays, against all triangles in extended precision, and against Embree: meshes, soups,
 // slivers, glyphs, far from the origin, moved points and matrices.
+#include "AddressLimit.h"
 #include "BruteRays.h"
 #include "Check.h"
 #include "EmbreeScene.h"
@@ -50,17 +51,11 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <iostream>
 #include <numeric>
 #include <random>
 #include <string>
 #include <vector>
-
-#ifdef __linux__
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
 
 namespace testRays
 {
@@ -1088,14 +1083,6 @@ void TestRefusals()
   RELIEVO_CHECK(scene->FindNearest(many.Origins, many.Directions, hits) && reports.back() == 1.);
 }
 
-#ifdef __linux__
-double GetAddressSpace()
-{
-  double pages = 0.;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
 // A tree is refused before it is built if its arrays exceed the address space that is left, and
 // built where they fit.
 void TestMemory()
@@ -1114,35 +1101,23 @@ void TestMemory()
   down.Add(glm::dvec3(0.1, 0.2, 1.), glm::dvec3(0., 0., -1.));
   vtkNew<vtkUnsignedCharArray> hit;
   RELIEVO_CHECK(small->FindAny(down.Origins, down.Directions, hit)); // threads have their stacks
-  rlimit before = {};
-  getrlimit(RLIMIT_AS, &before);
-  const auto leave = [&before](double bytes) {
-    rlimit less = before;
-    less.rlim_cur = static_cast<rlim_t>(GetAddressSpace() + bytes);
-    RELIEVO_CHECK(setrlimit(RLIMIT_AS, &less) == 0);
-  };
   bool done = true;
   {
     // 45 bytes for each triangle and 24 for each of 401 x 401 points.
     relievoTest::ExpectMessage expect(
       "no tree for rays at 320000 triangles: it would take 18259224 bytes (17.4 MiB), and the "
       "machine has 16000000 bytes");
-    leave(50. * Triangles);
+    const relievoTest::AddressLimit limit(50. * Triangles);
     done = scene->FindAny(down.Origins, down.Directions, hit);
-    setrlimit(RLIMIT_AS, &before);
   }
   RELIEVO_CHECK(!done && scene->GetNumberOfTriangles() == 0);
-#ifndef __SANITIZE_ADDRESS__ // which needs more
-  leave(78. * Triangles);
-  done = scene->FindAny(down.Origins, down.Directions, hit);
-  setrlimit(RLIMIT_AS, &before);
-#else
-  done = scene->FindAny(down.Origins, down.Directions, hit);
-#endif
+  {
+    const relievoTest::AddressLimit limit(78. * Triangles);
+    done = scene->FindAny(down.Origins, down.Directions, hit);
+  }
   RELIEVO_CHECK(done && hit->GetValue(0) == 1);
   RELIEVO_CHECK(scene->GetNumberOfTriangles() == static_cast<vtkIdType>(Triangles));
 }
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -1218,9 +1193,10 @@ RELIEVO_TEST_CASE(testRays)
   TestData();
   TestLimitOfShaders();
   TestRefusals();
-#ifdef __linux__
-  TestMemory();
-#endif
+  if (relievoTest::AddressLimit::IsUsable)
+  {
+    TestMemory();
+  }
   return session.Result();
 }
 }

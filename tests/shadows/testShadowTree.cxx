@@ -7,6 +7,7 @@
 #include "vtkRelievoCasterRays.h" // before all of GLM, whose functions it has of its own
 #include "vtkRelievoTreeBuffer.h"
 
+#include "AddressLimit.h"
 #include "Check.h"
 #include "Layers.h"
 #include "Session.h"
@@ -28,16 +29,10 @@
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <new>
 #include <string>
 #include <vector>
-
-#ifdef __linux__
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
 
 namespace testShadowTree
 {
@@ -176,12 +171,11 @@ void TestThreads()
   RELIEVO_CHECK(vtkSMPTools::GetBackend() == backend);
 }
 
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
 // Little address space is left: neither shaders' trees nor rays on the processor have a mesh then.
 void TestLackOfMemory(vtkOpenGLRenderWindow* window)
 {
   constexpr int Side = 600;
-  constexpr rlim_t Left = 8 << 20; // below the 45 bytes of a triangle that rays need
+  constexpr double Left = 8 << 20; // below the 45 bytes of a triangle that rays need
   vtkNew<vtkPlaneSource> plane;
   plane->SetResolution(Side, Side);
   vtkNew<vtkTriangleFilter> cut;
@@ -192,16 +186,12 @@ void TestLackOfMemory(vtkOpenGLRenderWindow* window)
   vtkRelievoTreeBuffer tree;
   vtkRelievoCasterRays rays;
   const auto update = [&]() { return tree.Update(window, { surface.Caster }, glm::dvec3(0.)); };
-  rlimit before = {};
-  getrlimit(RLIMIT_AS, &before);
-  rlim_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  rlimit less = before;
-  less.rlim_cur = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + Left;
-  RELIEVO_CHECK(setrlimit(RLIMIT_AS, &less) == 0);
-  const std::string fault = update();
-  const std::string lack = rays.SetSurfaces({ surface });
-  setrlimit(RLIMIT_AS, &before);
+  std::string fault, lack;
+  {
+    const relievoTest::AddressLimit limit(Left);
+    fault = update();
+    lack = rays.SetSurfaces({ surface });
+  }
   RELIEVO_CHECK_THAT(
     fault == "memory ran out while a tree of the casters' triangles was built", fault);
   RELIEVO_CHECK(tree.GetBytes() == 0);
@@ -213,7 +203,6 @@ void TestLackOfMemory(vtkOpenGLRenderWindow* window)
   RELIEVO_CHECK(rays.GetNumberOfTriangles() == 2 * Side * Side);
   tree.Release(window);
 }
-#endif
 
 // An OpenGL whose buffers are too small.
 void TestSmallBuffers(vtkOpenGLRenderWindow* window)
@@ -309,9 +298,10 @@ RELIEVO_TEST_CASE(testShadowTree)
     stage.Window->Render();
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
     TestThreads();
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
-    TestLackOfMemory(window); // before others free memory that it would use
-#endif
+    if (relievoTest::AddressLimit::IsUsable)
+    {
+      TestLackOfMemory(window); // before others free memory that it would use
+    }
     TestRefit(window);
     TestTooMany(window);
     TestSmallBuffers(window);
