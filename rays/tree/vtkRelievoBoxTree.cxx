@@ -3,6 +3,7 @@
 #include "vtkRelievoBoxTree.h"
 
 #include "vtkRelievoAvx2.h" // for RELIEVO_INLINED
+#include "vtkRelievoBoxRecords.h"
 #include "vtkRelievoThreads.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@ namespace
 using Box = vtkRelievoBoxTree::Box;
 using Node = vtkRelievoBoxTree::Node;
 
-constexpr int Bins = 16;
-constexpr int Few = 32;          // up to this number of boxes all splits are tried, without bins
 constexpr int ForAThread = 8192; // boxes of a subtree built by one thread
 
 const Box Nothing = { glm::vec3(std::numeric_limits<float>::max()),
@@ -33,122 +32,16 @@ RELIEVO_INLINED float GetArea(const Box& box)
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-RELIEVO_INLINED glm::vec3 GetMiddle(const Box& box)
-{
-  return 0.5f * box.Min + 0.5f * box.Max;
-}
-
 int RoundUp(int count, int leafSize)
 {
   return (count + leafSize - 1) / leafSize * leafSize;
 }
 }
 
-// The split of a range of boxes: their number on the left, sorted along an axis. By the surface
-// area heuristic.
-struct vtkRelievoBoxTree::Split
+struct vtkRelievoBoxTree::Task
 {
-  int Axis = 0;
-  int Left = 0;
-  float Cost = std::numeric_limits<float>::max();
-
-  void Offer(int axis, int left, float cost)
-  {
-    if (cost < this->Cost)
-    {
-      *this = { axis, left, cost };
-    }
-  }
-
-  // Tries every split.
-  void TryAll(const std::vector<Box>& boxes, std::vector<int>& sorted, int leafSize)
-  {
-    const int count = static_cast<int>(sorted.size());
-    std::vector<float> after(count);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      std::sort(sorted.begin(), sorted.end(), [&](int a, int b) {
-        const float x = GetMiddle(boxes[a])[axis];
-        const float y = GetMiddle(boxes[b])[axis];
-        return x < y || (x == y && a < b);
-      });
-      Box box = Nothing;
-      for (int i = count - 1; i > 0; --i)
-      {
-        Add(box, boxes[sorted[i]]);
-        after[i] = GetArea(box);
-      }
-      box = Nothing;
-      for (int i = 0; i < count - 1; ++i)
-      {
-        Add(box, boxes[sorted[i]]);
-        const int left = i + 1;
-        if (left % leafSize == 0)
-        {
-          this->Offer(axis, left,
-            GetArea(box) * static_cast<float>(left) +
-              after[left] * static_cast<float>(count - left));
-        }
-      }
-    }
-  }
-
-  // Splits between a few bins, moved so that leaves are full.
-  void TryBins(const std::vector<Box>& boxes, const int* order, int count, int leafSize)
-  {
-    Box middles = Nothing;
-    for (int i = 0; i < count; ++i)
-    {
-      const glm::vec3 middle = GetMiddle(boxes[order[i]]);
-      Add(middles, { middle, middle });
-    }
-    const glm::vec3 widths = middles.Max - middles.Min;
-    Box bins[3][Bins];
-    int counts[3][Bins] = {};
-    std::fill_n(bins[0], 3 * Bins, Nothing);
-    for (int i = 0; i < count; ++i)
-    {
-      const Box& box = boxes[order[i]];
-      const glm::vec3 shares = (GetMiddle(box) - middles.Min) / widths;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        if (widths[axis] > 0.f)
-        {
-          const int bin = std::min(Bins - 1, static_cast<int>(shares[axis] * Bins));
-          Add(bins[axis][bin], box);
-          ++counts[axis][bin];
-        }
-      }
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if (!(widths[axis] > 0.f))
-      {
-        continue;
-      }
-      float after[Bins];
-      Box box = Nothing;
-      for (int bin = Bins - 1; bin > 0; --bin)
-      {
-        Add(box, bins[axis][bin]);
-        after[bin] = GetArea(box);
-      }
-      box = Nothing;
-      int left = 0;
-      for (int bin = 0; bin < Bins - 1; ++bin)
-      {
-        Add(box, bins[axis][bin]);
-        left += counts[axis][bin];
-        if (left > 0 && left < count)
-        {
-          const int whole = std::min(RoundUp(left, leafSize), RoundUp(count, leafSize) - leafSize);
-          this->Offer(axis, whole,
-            GetArea(box) * static_cast<float>(left) +
-              after[bin + 1] * static_cast<float>(count - left));
-        }
-      }
-    }
-  }
+  int Node = 0;
+  vtkRelievoBoxRecords::Range Range;
 };
 
 //------------------------------------------------------------------------------
@@ -168,58 +61,38 @@ int vtkRelievoBoxTree::GetNumberOfNodes(int boxes, int leafSize)
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoBoxTree::Task vtkRelievoBoxTree::MakeNode(
-  const std::vector<Box>& boxes, const Task& task, Task& right)
+// Returns whether it has children: false for a leaf.
+bool vtkRelievoBoxTree::MakeNode(
+  vtkRelievoBoxRecords& records, const Task& task, Task& left, Task& right)
 {
   Node& node = this->Nodes[task.Node];
-  right.Count = 0;
-  if (task.Count <= this->LeafSize)
+  vtkRelievoBoxRecords::Range range = task.Range;
+  if (range.Count <= this->LeafSize)
   {
-    node.Next = -1 - task.First;
-    node.Count = task.Count;
-    return { task.Node, task.First, 0 };
+    node.Next = -1 - range.First;
+    node.Count = range.Count;
+    return false;
   }
-  int* const order = this->Order.data() + task.First;
-  Split split;
-  if (task.Count <= Few)
-  {
-    std::vector<int> sorted(order, order + task.Count);
-    split.TryAll(boxes, sorted, this->LeafSize);
-  }
-  else
-  {
-    split.TryBins(boxes, order, task.Count, this->LeafSize);
-  }
-  if (split.Left <= 0 || split.Left >= task.Count) // all boxes have one position
-  {
-    split = { 0, RoundUp(task.Count / 2, this->LeafSize), 0.f };
-  }
-  std::vector<std::pair<float, int>> sorted(static_cast<std::size_t>(task.Count));
-  std::transform(order, order + task.Count, sorted.begin(), [&](int box) {
-    return std::make_pair(
-      0.5f * boxes[box].Min[split.Axis] + 0.5f * boxes[box].Max[split.Axis], box);
-  });
-  std::nth_element(sorted.begin(), sorted.begin() + split.Left, sorted.end());
-  std::transform(sorted.begin(), sorted.end(), order, [](const auto& each) { return each.second; });
-  node.Next = task.Node + GetNumberOfNodes(task.Count, this->LeafSize);
+  vtkRelievoBoxRecords::Grid grid; // needed for no areas
+  records.Refine(range, grid);
+  node.Next = task.Node + GetNumberOfNodes(range.Count, this->LeafSize);
   node.Count = 0;
-  const Task left = { task.Node + 1, task.First, split.Left };
-  right = { left.Node + GetNumberOfNodes(split.Left, this->LeafSize), task.First + split.Left,
-    task.Count - split.Left };
-  return left;
+  records.Split(range, left.Range, right.Range);
+  left.Node = task.Node + 1;
+  right.Node = left.Node + GetNumberOfNodes(left.Range.Count, this->LeafSize);
+  return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoBoxTree::MakeSubtree(const std::vector<Box>& boxes, const Task& task)
+void vtkRelievoBoxTree::MakeSubtree(vtkRelievoBoxRecords& records, const Task& task)
 {
   std::vector<Task> open(1, task);
   while (!open.empty())
   {
     const Task next = open.back();
     open.pop_back();
-    Task right{};
-    const Task left = this->MakeNode(boxes, next, right);
-    if (right.Count > 0)
+    Task left, right;
+    if (this->MakeNode(records, next, left, right))
     {
       open.push_back(right);
       open.push_back(left);
@@ -233,36 +106,48 @@ void vtkRelievoBoxTree::Build(const std::vector<Box>& boxes, int leafSize)
   this->LeafSize = leafSize;
   const int count = static_cast<int>(boxes.size());
   this->Nodes.assign(GetNumberOfNodes(count, leafSize), Node());
-  this->Order.resize(count);
-  for (int i = 0; i < count; ++i)
+  this->Order.clear();
+  if (count == 0)
   {
-    this->Order[i] = i;
+    return;
   }
-  std::vector<Task> large(count > 0 ? 1 : 0, Task{ 0, 0, count });
+  Box whole = Nothing;
+  for (const Box& box : boxes)
+  {
+    Add(whole, box);
+  }
+  const glm::vec3 middle = 0.5f * whole.Max + 0.5f * whole.Min;
+  const glm::vec3 half = 0.5f * whole.Max - 0.5f * whole.Min;
+  const float reach = std::max({ half.x, half.y, half.z });
+  const float scale = reach > 0.f ? 1.f / reach : 0.f;
+  // Between -1 and 1, also without a number.
+  const auto fit = [&](const glm::vec3& corner) {
+    return glm::min(glm::vec3(1.f), glm::max(glm::vec3(-1.f), (corner - middle) * scale));
+  };
+  vtkRelievoBoxRecords records(
+    count,
+    [&](int i) {
+      return Box{ fit(boxes[i].Min), fit(boxes[i].Max) };
+    },
+    leafSize);
+  std::vector<Task> large(1, Task{ 0, records.GetAll() });
   std::vector<Task> small;
   while (!large.empty())
   {
-    const std::vector<Task> now = std::move(large);
-    std::vector<Task> next(2 * now.size());
+    std::vector<Task> now;
+    for (const Task& task : large)
+    {
+      (task.Range.Count > ForAThread ? now : small).push_back(task);
+    }
+    large.resize(2 * now.size());
     const auto make = [&](vtkIdType i) {
-      next[2 * i] = now[i];
-      if (now[i].Count > ForAThread)
-      {
-        next[2 * i] = this->MakeNode(boxes, now[i], next[2 * i + 1]);
-      }
+      this->MakeNode(records, now[i], large[2 * i], large[2 * i + 1]);
     };
     vtkRelievoForAll(static_cast<vtkIdType>(now.size()), make, 1);
-    large.clear();
-    for (const Task& task : next)
-    {
-      if (task.Count > 0)
-      {
-        (task.Count > ForAThread ? large : small).push_back(task);
-      }
-    }
   }
-  const auto makeBelow = [&](vtkIdType i) { this->MakeSubtree(boxes, small[i]); };
+  const auto makeBelow = [&](vtkIdType i) { this->MakeSubtree(records, small[i]); };
   vtkRelievoForAll(static_cast<vtkIdType>(small.size()), makeBelow, 1);
+  this->Order = records.TakeIndices();
   this->FitNodes(boxes);
 }
 

@@ -15,6 +15,8 @@
 #include <array>
 #include <vector>
 
+class vtkRelievoBoxRecords;
+
 class VTKRELIEVORAYS_EXPORT vtkRelievoBoxTree
 {
 public:
@@ -54,16 +56,10 @@ public:
   static int GetNumberOfNodes(int boxes, int leafSize);
 
 private:
-  struct Task
-  {
-    int Node;
-    int First;
-    int Count;
-  };
-  struct Split;
+  struct Task; // a node to be made
 
-  Task MakeNode(const std::vector<Box>& boxes, const Task& task, Task& right);
-  void MakeSubtree(const std::vector<Box>& boxes, const Task& task);
+  bool MakeNode(vtkRelievoBoxRecords& records, const Task& task, Task& left, Task& right);
+  void MakeSubtree(vtkRelievoBoxRecords& records, const Task& task);
   void FitNodes(const std::vector<Box>& boxes);
 
   std::vector<Node> Nodes;
