@@ -557,45 +557,28 @@ void DatasetPainter::DrawLayers(
     source->AddLayer(layer);
   }
   this->Renderer->SetActiveCamera(cameras[0].Camera);
-  for (std::size_t i = 0; i < cameras.size() && cameras.size() > 1; ++i)
+  for (const Shown& camera : cameras)
   {
-    source->AddView(cameras[i].Camera);
+    source->AddView(camera.Camera);
   }
-  source->Update();
-  const unsigned long code = source->GetErrorCode();
+  std::vector<vtkSmartPointer<vtkImageData>> views(cameras.size());
+  const bool good =
+    source->CaptureEach([&views](std::size_t i, vtkImageData* drawn) { views[i] = drawn; });
   try
   {
-    Messages::Check("layers", code != 0);
+    Messages::Check("layers", !good);
   }
   catch (const WorkError& error)
   {
-    if (code == vtkRelievoLayerSource::NO_SUCH_LAYER)
+    if (source->GetErrorCode() == vtkRelievoLayerSource::NO_SUCH_LAYER)
     {
       throw UsageError(error.what());
     }
     throw;
   }
-  vtkImageData* all = source->GetOutput();
-  if (cameras.size() == 1)
+  for (std::size_t i = 0; i < views.size(); ++i)
   {
-    take(0, all);
-    return;
-  }
-  const vtkIdType pixels = all->GetNumberOfPoints() / static_cast<vtkIdType>(cameras.size());
-  for (std::size_t i = 0; i < cameras.size(); ++i)
-  {
-    vtkNew<vtkImageData> view;
-    view->SetDimensions(all->GetDimensions()[0], all->GetDimensions()[1], 1);
-    for (const std::string& layer : layers)
-    {
-      vtkDataArray* of = all->GetPointData()->GetArray(layer.c_str());
-      const auto array = vtkSmartPointer<vtkDataArray>::Take(of->NewInstance());
-      array->SetName(layer.c_str());
-      array->SetNumberOfComponents(of->GetNumberOfComponents());
-      array->InsertTuples(0, pixels, static_cast<vtkIdType>(i) * pixels, of);
-      view->GetPointData()->AddArray(array);
-    }
-    take(i, view);
+    take(i, views[i]);
   }
 }
 

@@ -280,6 +280,30 @@ int vtkRelievoLayerSource::RequestData(
 {
   vtkImageData* image = vtkImageData::GetData(outputs);
   image->Initialize();
+  const bool good = this->Attached(
+    [&]() { return this->Views.empty() ? this->Capture(image) : this->PutViews(image); });
+  if (!good)
+  {
+    image->Initialize();
+  }
+  return good ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLayerSource::CaptureEach(const std::function<void(std::size_t, vtkImageData*)>& take)
+{
+  return this->Attached([&]() {
+    return this->DrawEach([&take](std::size_t view, vtkImageData* layers) {
+      take(view, layers);
+      return true;
+    });
+  });
+}
+
+//------------------------------------------------------------------------------
+// Calls `capture` while the renderer has a pass, if layers can be drawn.
+bool vtkRelievoLayerSource::Attached(const std::function<bool()>& capture)
+{
   this->SetErrorCode(vtkErrorCode::NoError);
   vtkRenderWindow* window = this->Renderer ? this->Renderer->GetRenderWindow() : nullptr;
   if (!window)
@@ -287,42 +311,38 @@ int vtkRelievoLayerSource::RequestData(
     vtkErrorMacro("Layers are asked of " << (this->Renderer ? "a renderer without a window; add it "
                                                               "to a vtkRenderWindow."
                                                             : "no renderer; use SetRenderer."));
-    return 0;
+    return false;
   }
   const std::string noDisplay = vtkRelievoDisplay::Check(window);
   if (!noDisplay.empty())
   {
     vtkErrorMacro(<< noDisplay << ".");
-    return 0;
+    return false;
   }
   const std::string lights = vtkRelievoPass::CheckLights(this->Renderer);
   if (!lights.empty())
   {
     vtkErrorMacro("Nothing is drawn: " << lights << " Make them lamps (vtkRelievoLamps).");
-    return 0;
+    return false;
   }
   if (!this->Renderer->GetDraw())
   {
     vtkErrorMacro("The renderer is told to draw nothing; switch it on with DrawOn().");
-    return 0;
+    return false;
   }
   if (this->Layers.empty())
   {
     vtkErrorMacro("No layers are asked for; use AddLayer(\"depth\"), for example.");
-    return 0;
+    return false;
   }
   const bool attached = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass()) != nullptr;
   vtkRelievoPass::Attach(this->Renderer);
-  const bool good = this->Views.empty() ? this->Capture(image) : this->CaptureViews(image);
-  if (!good)
-  {
-    image->Initialize();
-  }
+  const bool good = capture();
   if (!attached)
   {
     vtkRelievoPass::Detach(this->Renderer);
   }
-  return good ? 1 : 0;
+  return good;
 }
 
 //------------------------------------------------------------------------------
@@ -345,49 +365,49 @@ bool vtkRelievoLayerSource::IsAloneInFrame(vtkRelievoPass* pass)
 }
 
 //------------------------------------------------------------------------------
-// The first view tells whether the others can be drawn together.
-bool vtkRelievoLayerSource::CaptureViews(vtkImageData* image)
+// The views become slices of one image.
+bool vtkRelievoLayerSource::PutViews(vtkImageData* image)
 {
-  const bool hadCamera = this->Renderer->IsActiveCameraCreated() != 0;
-  const vtkSmartPointer<vtkCamera> before = hadCamera ? this->Renderer->GetActiveCamera() : nullptr;
-  auto* pass = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass());
-  const auto take = [&](std::size_t view, vtkImageData* layers) {
+  return this->DrawEach([&](std::size_t view, vtkImageData* layers) {
+    const int* size = layers->GetDimensions();
+    image->SetDimensions(size[0], size[1], this->GetNumberOfViews());
+    const double bytes = 1024.0 * static_cast<double>(layers->GetActualMemorySize());
+    const std::string lack =
+      view == 0 ? relievo::LackOfMemory(bytes * this->GetNumberOfViews(), 0.0) : "";
+    if (!lack.empty())
+    {
+      vtkErrorMacro("The layers of " << this->GetNumberOfViews() << " views are too many: " << lack
+                                     << ". Capture fewer views at a time, or a smaller window.");
+      return false;
+    }
     for (const std::string& name : this->Layers)
     {
       PutView(image->GetPointData(), layers->GetPointData()->GetArray(name.c_str()),
         static_cast<vtkIdType>(view), this->GetNumberOfViews());
     }
-  };
+    return true;
+  });
+}
+
+//------------------------------------------------------------------------------
+// The first view tells whether the others can be drawn together. `take` returns false to end this.
+bool vtkRelievoLayerSource::DrawEach(const std::function<bool(std::size_t, vtkImageData*)>& take)
+{
+  const bool hadCamera = this->Renderer->IsActiveCameraCreated() != 0;
+  const vtkSmartPointer<vtkCamera> before = hadCamera ? this->Renderer->GetActiveCamera() : nullptr;
+  auto* pass = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass());
   bool good = true;
   bool together = false;
   for (std::size_t i = 0; i < this->Views.size() && good && !together; ++i)
   {
     this->Renderer->SetActiveCamera(this->Views[i]);
     vtkNew<vtkImageData> layers;
-    good = this->Capture(layers);
-    if (i == 0 && good)
-    {
-      const int* size = layers->GetDimensions();
-      image->SetDimensions(size[0], size[1], this->GetNumberOfViews());
-      const double bytes = 1024.0 * static_cast<double>(layers->GetActualMemorySize());
-      const std::string lack = relievo::LackOfMemory(bytes * this->GetNumberOfViews(), 0.0);
-      good = lack.empty();
-      if (!good)
-      {
-        vtkErrorMacro("The layers of " << this->GetNumberOfViews()
-                                       << " views are too many: " << lack
-                                       << ". Capture fewer views at a time, or a smaller window.");
-      }
-    }
-    if (good)
-    {
-      take(i, layers);
-    }
-    if (i == 0 && good && this->IsAloneInFrame(pass))
+    good = this->Capture(layers) && take(i, layers);
+    if (i == 0 && this->Views.size() > 1 && good && this->IsAloneInFrame(pass))
     {
       const std::vector<vtkCamera*> others(this->Views.begin() + 1, this->Views.end());
       together = pass->GetLayersStage()->DrawViews(this->Renderer, others, this->Layers,
-        [&take](std::size_t view, vtkImageData* found) { take(view + 1, found); });
+        [&](std::size_t view, vtkImageData* found) { good = take(view + 1, found) && good; });
     }
   }
   this->Renderer->SetActiveCamera(before);

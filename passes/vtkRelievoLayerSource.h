@@ -33,8 +33,9 @@
 #include "vtkRelievoText.h"         // for names that are given
 #include "vtkSmartPointer.h"        // for the renderer
 
-#include <string> // for names
-#include <vector> // for names
+#include <functional> // for views
+#include <string>     // for names
+#include <vector>     // for names
 
 class vtkCamera;
 class vtkImageData;
@@ -88,6 +89,16 @@ public:
   int GetNumberOfViews() { return static_cast<int>(this->Views.size()); }
   ///@}
 
+#ifndef __VTK_WRAP__
+  /**
+   * Captures the views without an output: calls `take` with the number of each view and an image of
+   * its layers, which may be kept; more than once if a view has to be drawn again. Calls come while
+   * views are drawn: they must not change the scene. False after an error, which GetErrorCode()
+   * then returns.
+   */
+  bool CaptureEach(const std::function<void(std::size_t, vtkImageData*)>& take);
+#endif
+
   /**
    * The value of GetErrorCode() if a frame was drawn, but no drawn object has a requested layer,
    * although no stage failed (vtkRelievoStage::GetReasonCode).
@@ -131,7 +142,11 @@ private:
   void operator=(const vtkRelievoLayerSource&) = delete;
 
   bool Capture(vtkImageData* image);
-  bool CaptureViews(vtkImageData* image);
+#ifndef __VTK_WRAP__
+  bool Attached(const std::function<bool()>& capture);
+  bool DrawEach(const std::function<bool(std::size_t, vtkImageData*)>& take);
+#endif
+  bool PutViews(vtkImageData* image);
   bool IsAloneInFrame(vtkRelievoPass* pass);
   bool Draw(vtkRelievoPass* pass, bool color);
 
