@@ -280,7 +280,7 @@ def scale(rows):
 def shadows(rows):
     """Wrong verdicts by the size of the map, and by the time of a frame."""
     shown = [row for row in rows if row["window"] == "600x600" and row["shading"] == "flat"]
-    wrong = Axis("wrong verdicts, % of pixels", True,
+    share = Axis("wrong verdicts, % of pixels", True,
                  {LEAST: "< 0.001", 0.01: "0.01", 0.1: "0.1", 1: "1", 10: "10"})  # fmt: skip
     low = "sun at 10 degrees"
     sizes = Axis("side of the map, texels", True, (512, 1024, 2048, 4096))
@@ -303,7 +303,7 @@ def shadows(rows):
         yield Chart(
             f"shadows-{stem}", title,
             "Ring: the default, a map of 2048. exact has no map. Grey, VTK: vtkShadowMapPass.",
-            axis, wrong, panels(
+            axis, share, panels(
                 shown, x, lambda row: max(LEAST, number(row, "wrong %")),
                 panel=lambda row: scenes.get((row["scene"], row["light"])),
                 default=lambda row: row["method"] == "map" and row["map"] == "2048",

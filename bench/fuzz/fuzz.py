@@ -96,10 +96,10 @@ class Driver:
             self.process.stdin.flush()
         except BrokenPipeError:
             pass
-        wrong = complaint(
+        fault = complaint(
             self.process, lambda seconds: select.select([self.process.stdout], [], [], seconds)[0])
-        if wrong:
-            return wrong
+        if fault:
+            return fault
         line = self.process.stdout.readline()
         if line:
             answer = json.loads(line)
@@ -159,10 +159,10 @@ def by_program(words, program, folder, temporary):
         folders = {"TMPDIR": str(temporary), "XDG_RUNTIME_DIR": runtime}
         done = subprocess.Popen([program, *words], cwd=folder, stdout=subprocess.DEVNULL,
                                 stderr=errors, env={**os.environ, **folders})  # fmt: skip
-        wrong = complaint(done, is_done)
-        if wrong:
+        fault = complaint(done, is_done)
+        if fault:
             done.wait()
-            return wrong
+            return fault
         errors.seek(0)
         lines = errors.read().decode(errors="replace").splitlines()
     name = pathlib.Path(program).name + ": "
@@ -215,12 +215,12 @@ class Campaign:
         sample.write(folder, {name: damage(rng, name, sample.files[name], more)})
         return sample
 
-    def keep(self, number, sample, folder, words, wrong):
+    def keep(self, number, sample, folder, words, fault):
         kept = self.kept / f"{self.seed}-{number}"
         shutil.rmtree(kept, ignore_errors=True)
         shutil.copytree(folder, kept)
-        (kept / "command.txt").write_text(shlex.join(words) + f"\n{wrong}\n")
-        print(f"FAILURE {kept} ({sample.kind}): {wrong}\n  {shlex.join(words)}", flush=True)
+        (kept / "command.txt").write_text(shlex.join(words) + f"\n{fault}\n")
+        print(f"FAILURE {kept} ({sample.kind}): {fault}\n  {shlex.join(words)}", flush=True)
         self.failures.append(number)
 
     def left(self, sample, folder, temporary):
@@ -242,27 +242,27 @@ class Campaign:
         began = time.monotonic()
         if session:
             answer = by_program(whole[1:], whole[0], folder, temporary)
-            wrong = answer if isinstance(answer, str) else ""
-            if not wrong and answer["status"] != 0:
-                wrong = judge(answer, sample, folder)
+            fault = answer if isinstance(answer, str) else ""
+            if not fault and answer["status"] != 0:
+                fault = judge(answer, sample, folder)
         else:
             answer = driver.draw(words)
-            wrong = judge(answer, sample, folder)
+            fault = judge(answer, sample, folder)
         took = time.monotonic() - began
-        wrong = wrong or self.left(sample, folder, temporary)
-        if not wrong and not session and number % BY_COMMAND == 0 and "RELIEVO" in os.environ:
+        fault = fault or self.left(sample, folder, temporary)
+        if not fault and not session and number % BY_COMMAND == 0 and "RELIEVO" in os.environ:
             (folder / "out.png").unlink(missing_ok=True)
             command = by_program(whole[1:], whole[0], folder, temporary)
             alike = command == answer or (command["status"] == 0 == answer["status"])
-            wrong = "" if alike else f"the command: {command}, the driver: {answer}"
+            fault = "" if alike else f"the command: {command}, the driver: {answer}"
         with self.lock:
             self.counts[sample.kind] += 1
             self.seconds[sample.kind] += took
             self.read[sample.kind] += not isinstance(answer, str) and answer["status"] == 0
             self.ended[sample.kind] += not isinstance(answer, str) and any(
                 READER.search(line) for line in answer["say"])  # fmt: skip
-            if wrong:
-                self.keep(number, sample, folder, whole, wrong)
+            if fault:
+                self.keep(number, sample, folder, whole, fault)
         return not isinstance(answer, str) or session
 
     def work(self, first, step, goes_on, only):

@@ -244,9 +244,9 @@ bool BenchGeometry(const std::string& outDir)
       const PixelTruth& pixel = truth.At(x, y);
       if (pixel.Hit && std::isfinite(seen))
       {
-        const double wrong = std::abs(seen - pixel.Depth) / Scale;
-        off5 += wrong > 0.05 ? 1. : 0.;
-        mean += wrong > 0.05 ? 0. : wrong;
+        const double error = std::abs(seen - pixel.Depth) / Scale;
+        off5 += error > 0.05 ? 1. : 0.;
+        mean += error > 0.05 ? 0. : error;
         ++count;
         for (int c = 0; c < 3; ++c)
         {

@@ -155,13 +155,14 @@ void TestStepsOfPictures()
     RELIEVO_CHECK(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) == count);
     const double* said = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
     const std::vector<double> steps(said, said + count);
-    int wrong = 0;
+    int mismatches = 0;
     for (int i = 0; i < count; ++i)
     {
       const double y = FirstAt(reader, 0.).y + i;
-      wrong += FirstAt(reader, steps[i]).y != y || FirstAt(reader, i / 30. / speed).y != y ? 1 : 0;
+      mismatches +=
+        FirstAt(reader, steps[i]).y != y || FirstAt(reader, i / 30. / speed).y != y ? 1 : 0;
     }
-    RELIEVO_CHECK_THAT(wrong == 0, std::to_string(wrong) + " keys are late");
+    RELIEVO_CHECK_THAT(mismatches == 0, std::to_string(mismatches) + " keys are late");
   }
 }
 

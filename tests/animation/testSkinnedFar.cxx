@@ -311,7 +311,7 @@ void TestUse()
   selector->SetArea(0, 0, 239, 179);
   selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
   RELIEVO_CHECK(selector->CaptureBuffers());
-  int wrong = 0;
+  int mismatches = 0;
   for (unsigned int y = 0; y < 180; ++y)
   {
     for (unsigned int x = 0; x < 240; ++x)
@@ -319,10 +319,10 @@ void TestUse()
       const unsigned int pixel[2] = { x, y };
       const auto found = selector->GetPixelInformation(pixel);
       const vtkIdType id = found.Valid ? found.AttributeID : -1;
-      wrong += id == turned.Id("cell", static_cast<int>(x), static_cast<int>(y)) ? 0 : 1;
+      mismatches += id == turned.Id("cell", static_cast<int>(x), static_cast<int>(y)) ? 0 : 1;
     }
   }
-  RELIEVO_CHECK_AT_MOST(wrong, 3, "cells that the selector picks");
+  RELIEVO_CHECK_AT_MOST(mismatches, 3, "cells that the selector picks");
 }
 
 void TestShadows()
@@ -339,7 +339,7 @@ void TestShadows()
         continue;
       }
       // By the graphics card about the origin; still far away; both.
-      double wrong[3];
+      double error[3];
       for (int i = 0; i < 3; ++i)
       {
         const bool gpu = i != 1;
@@ -366,15 +366,15 @@ void TestShadows()
         }
         stage.GetShadows()->SetMethod(method.Value);
         const ShadowErrors errors = JudgeShadow(stage, 0, &truth);
-        wrong[i] = errors.Wrong();
+        error[i] = errors.Wrong();
         std::cout << MethodName(skin) << ", " << method.Name << (gpu ? ", GPU" : ", still")
                   << (i == 0 ? " about the origin: " : " far away: ") << errors.ToString() << "\n";
         RELIEVO_CHECK(errors.Dark > 200);
       }
       // Its bones are uploaded in the midst of the frame.
-      RELIEVO_CHECK_AT_MOST(wrong[0], wrong[1] + 1e-4,
+      RELIEVO_CHECK_AT_MOST(error[0], error[1] + 1e-4,
         MethodName(skin) + ", " + method.Name + ": wrong in the actor's first frame");
-      RELIEVO_CHECK_AT_MOST(wrong[2], std::max(wrong[0], wrong[1]) + 5e-5,
+      RELIEVO_CHECK_AT_MOST(error[2], std::max(error[0], error[1]) + 5e-5,
         MethodName(skin) + ", " + method.Name + ": wrong beside the same elsewhere");
     }
   }

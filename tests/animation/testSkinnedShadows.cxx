@@ -67,7 +67,7 @@ void TestAgainstRays()
       {
         continue;
       }
-      double wrong[2];
+      double error[2];
       for (const bool gpu : { false, true })
       {
         ShadowStage stage;
@@ -92,13 +92,13 @@ void TestAgainstRays()
         }
         stage.GetShadows()->SetMethod(method.Value);
         const ShadowErrors errors = JudgeShadow(stage, 0, &truth);
-        wrong[gpu] = errors.Wrong();
+        error[gpu] = errors.Wrong();
         std::cout << MethodName(skin) << ", " << method.Name << (gpu ? ", GPU: " : ", CPU: ")
                   << errors.ToString() << "\n";
         RELIEVO_CHECK(errors.Dark > 300);
       }
       // Shadows are as right as those of a still mesh, but for pixels at edges.
-      RELIEVO_CHECK_AT_MOST(wrong[1], wrong[0] + 5e-5,
+      RELIEVO_CHECK_AT_MOST(error[1], error[0] + 5e-5,
         MethodName(skin) + ", " + method.Name + ": wrong beside a still mesh");
     }
   }

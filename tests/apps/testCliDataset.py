@@ -40,8 +40,8 @@ class Dataset(CliTest):
             for top in (one, other)
         ]  # fmt: skip
         self.assertEqual(*names)
-        _, wrong, lost = filecmp.cmpfiles(self.folder / one, self.folder / other, names[0], False)
-        self.assertEqual((wrong, lost), ([], []))
+        _, differ, lost = filecmp.cmpfiles(self.folder / one, self.folder / other, names[0], False)
+        self.assertEqual((differ, lost), ([], []))
 
     def test_poses_of_a_file(self):
         """The pixels of plates whose edges lie between pixels are known."""

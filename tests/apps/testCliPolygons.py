@@ -179,10 +179,10 @@ class Polygons(CliTest):
                 numpy.testing.assert_array_equal(seen["cell.id"] == 1, inside)
                 dark = (seen["shadow_0.V"] < 0.5) & (seen["cell.id"] == 0)
                 truth = is_inside(outline - (0.5, 0)) & ~inside
-                wrong = (dark != truth) & ~inside
+                mismatches = (dark != truth) & ~inside
                 most = 0 if method == "exact" else 0.02 * truth.sum()
                 self.assertGreater(truth.sum(), 2000)
-                self.assertLessEqual(wrong.sum(), most, method)
+                self.assertLessEqual(mismatches.sum(), most, method)
 
 
 if __name__ == "__main__":

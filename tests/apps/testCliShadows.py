@@ -192,8 +192,8 @@ class Shadows(CliTest):
             self.assertEqual(stage["bytes"], 4 * size * size)
             _, channels = self.exr("a.exr")
             shadow, sure = dark(LIGHTS[light[0]])
-            wrong = (channels["shadow_0.V"] != numpy.where(shadow, 0, 1)) & sure
-            self.assertEqual(wrong.any(), size == 16, f"map of {size}")
+            mismatches = (channels["shadow_0.V"] != numpy.where(shadow, 0, 1)) & sure
+            self.assertEqual(mismatches.any(), size == 16, f"map of {size}")
         # Shadows by the stage's own parameter have a size too.
         self.draw("--stage", "shadows:visible=on,bias=2", "--shadow-size", 512, "--report",
                   "a.json", lights=light)  # fmt: skip
@@ -216,8 +216,8 @@ class Shadows(CliTest):
         # A coarse map is found out, with edges across its rows.
         done = self.draw("--shadows", "map", "--shadow-size", 16, "--certify", 20000,
                          lights=["sun:-1,0.5,1"])  # fmt: skip
-        wrong = int(done.stdout.split("certified shadows: ")[1].split()[0])
-        self.assertGreater(wrong, 20)
+        mismatches = int(done.stdout.split("certified shadows: ")[1].split()[0])
+        self.assertGreater(mismatches, 20)
         done = self.draw("--time-budget", 100000, "--report", "a.json", lights=light)
         report = json.loads((self.folder / "a.json").read_text())
         self.assertIn("exact was chosen for a time of 1e+05 ms", report["shadow_plan"])

@@ -34,10 +34,10 @@ RELIEVO_TEST_CASE(testBenchExactHard)
   for (const auto& row : rows)
   {
     const std::string what = row.at("scene") + ", " + row.at("light");
-    const double wrong = relievoTest::Value(row, "wrong %");
+    const double error = relievoTest::Value(row, "wrong %");
     const double share = relievoTest::Value(row, "expected %");
     RELIEVO_CHECK_THAT(relievoTest::Value(row, "pixels") > 20000., what);
-    RELIEVO_CHECK_AT_MOST(wrong, 1.5 * share, what + ": % wrong");
+    RELIEVO_CHECK_AT_MOST(error, 1.5 * share, what + ": % wrong");
     RELIEVO_CHECK_AT_MOST(
       relievoTest::Value(row, "wrong without ties %"), 0.5 * share, what + ": % without ties");
     expected[row.at("scene")] += share;

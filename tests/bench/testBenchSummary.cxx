@@ -99,12 +99,12 @@ void TestRatios(const std::string& here, const std::string& there)
     RELIEVO_CHECK_NEAR(time->Least, 4., 1e-12, "Least");
     RELIEVO_CHECK_NEAR(time->Most, 16., 1e-12, "Most");
   }
-  const ColumnComparison* wrong = Find(all, "wrong, %");
-  if (RELIEVO_CHECK(wrong != nullptr))
+  const ColumnComparison* errors = Find(all, "wrong, %");
+  if (RELIEVO_CHECK(errors != nullptr))
   {
-    RELIEVO_CHECK(!wrong->IsTime && wrong->Rows == 2);
+    RELIEVO_CHECK(!errors->IsTime && errors->Rows == 2);
     RELIEVO_CHECK_NEAR(
-      wrong->There / wrong->Here, std::sqrt(2.), 1e-12, "error There / error Here");
+      errors->There / errors->Here, std::sqrt(2.), 1e-12, "error There / error Here");
   }
   const ColumnComparison* plain = Find(all, "times a plain frame");
   RELIEVO_CHECK(plain && !plain->IsTime);

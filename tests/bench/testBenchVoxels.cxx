@@ -34,7 +34,7 @@ void CheckVoxels(const std::string& folder)
   sizes.Large = 0;
   RELIEVO_CHECK(relievoBench::BenchVoxels(folder, sizes) == 0);
   std::map<std::string, int> methods;
-  std::map<std::string, std::map<std::string, double>> wrong;
+  std::map<std::string, std::map<std::string, double>> error;
   for (const Row& row : relievoTest::ReadCsv(folder + "/voxels.csv"))
   {
     const std::string& method = row.at("method");
@@ -43,7 +43,7 @@ void CheckVoxels(const std::string& folder)
     const double missed = Value(row, "missed percent");
     ++methods[method];
     RELIEVO_CHECK_THAT(Value(row, "milliseconds") > 0., name);
-    wrong[row.at("body") + row.at("cells")][method] = excess + missed;
+    error[row.at("body") + row.at("cells")][method] = excess + missed;
     if (method.rfind("vtk", 0) != 0)
     {
       // The triangles lie within the bodies' surfaces.
@@ -54,7 +54,7 @@ void CheckVoxels(const std::string& folder)
       RELIEVO_CHECK_THAT(excess > 5., name);
     }
   }
-  for (auto& grid : wrong)
+  for (auto& grid : error)
   {
     // Another way to the same triangles' inside.
     RELIEVO_CHECK_NEAR(grid.second["parity"], grid.second["vtkSelectEnclosedPoints"], 1e-3,

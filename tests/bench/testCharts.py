@@ -156,7 +156,7 @@ def bias(sun):
         lambda row: row["sun, degrees"] == sun and row["method"] in BIASED)  # fmt: skip
 
 
-def bias_wrong():
+def bias_errors():
     found = points(
         "bias", lambda row: f"{row['scene']}, sun at {row['sun, degrees']}°", "[method]",
         lambda row: row["bias, texels"] or None, "[wrong %]", is_default_bias,
@@ -280,7 +280,7 @@ TRUTH = {
                             ("map", "warped", "exact"), (10, 1000)),
     "planner-budget": planner("planner-budgets", "[budget ms]", "[taken ms]",
                               ("map", "warped", "exact"), (10, 1000)),
-    "bias-wrong": bias_wrong(),
+    "bias-wrong": bias_errors(),
     "bias-45": bias("45"),
     "bias-10": bias("10"),
     "bias-3": bias("3"),

@@ -134,7 +134,7 @@ void TestScenesByLot(const std::string& name, int scenes, vtkPolyData* mesh, dou
 {
   Lots lots(31);
   const int sizes[] = { 512, 1024, 2048 };
-  std::vector<double> wrong[3];
+  std::vector<double> error[3];
   for (int i = 0; i < scenes; ++i)
   {
     LampScene scene(200, 150);
@@ -160,20 +160,20 @@ void TestScenesByLot(const std::string& name, int scenes, vtkPolyData* mesh, dou
       for (const ShadowErrors& errors :
         CompareWithRays(scene, places, name + " " + std::to_string(i)))
       {
-        wrong[size].push_back(errors.Wrong());
+        error[size].push_back(errors.Wrong());
       }
     }
   }
   double means[3];
   for (int size = 0; size < 3; ++size)
   {
-    const std::vector<double>& each = wrong[size];
+    const std::vector<double>& each = error[size];
     means[size] = std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size());
     std::cout << name << ", maps of " << sizes[size] << ": mean " << means[size] << ", worst "
               << *std::max_element(each.begin(), each.end()) << " of " << each.size() << "\n";
   }
   RELIEVO_CHECK_AT_MOST(
-    *std::max_element(wrong[1].begin(), wrong[1].end()), limit, name + ": worst, maps of 1024");
+    *std::max_element(error[1].begin(), error[1].end()), limit, name + ": worst, maps of 1024");
   RELIEVO_CHECK_AT_MOST(means[1], 0.75 * means[0], name + ": maps of 1024 over those of 512");
   RELIEVO_CHECK_AT_MOST(means[2], 0.75 * means[1], name + ": maps of 2048 over those of 1024");
 }

@@ -145,7 +145,7 @@ void CheckBlocks(EffectScene& scene, vtkRelievoPointStage* stage, vtkRelievoPoin
 
 //------------------------------------------------------------------------------
 void CheckWrongArrays(EffectScene& scene, vtkRelievoPointValues* set, vtkPolyData* points,
-  const std::vector<WrongArray>& wrong)
+  const std::vector<InvalidArray>& invalid)
 {
   vtkNew<vtkDoubleArray> pairs;
   pairs->SetName("pairs");
@@ -157,7 +157,7 @@ void CheckWrongArrays(EffectScene& scene, vtkRelievoPointValues* set, vtkPolyDat
   words->InsertNextValue("thick");
   points->GetPointData()->AddArray(words);
   set->SetInputData(points);
-  for (const WrongArray& each : wrong)
+  for (const InvalidArray& each : invalid)
   {
     set->SetArray(each.Value, each.Array);
     ExpectMessage expect(std::string("'") + each.Array + "'");

@@ -85,16 +85,16 @@ void CheckBlocks(EffectScene& scene, vtkRelievoPointStage* stage, vtkRelievoPoin
   vtkPolyData* good, vtkPolyData* bad, const Layers& expected, const std::string& layer);
 
 /** An invalid array for a value, and the message. */
-struct WrongArray
+struct InvalidArray
 {
   const char* Value;
   const char* Array;
   const char* Says;
 };
 
-/** Adds the arrays `pairs` and `words`, draws the points, and has each wrong array said once. */
+/** Adds the arrays `pairs` and `words`, draws the points, and has each invalid array said once. */
 void CheckWrongArrays(EffectScene& scene, vtkRelievoPointValues* set, vtkPolyData* points,
-  const std::vector<WrongArray>& wrong);
+  const std::vector<InvalidArray>& invalid);
 
 /** A picture of 60 pixels' width alone, and in the right half of a window of two viewports. */
 void CheckBeside(EffectScene& alone, EffectScene& both, const std::vector<int>& columns, int row);

@@ -114,15 +114,15 @@ void TestArrays()
       continue;
     }
     RELIEVO_CHECK(got->GetNumberOfTuples() == static_cast<vtkIdType>(made.Pixels.size()));
-    int wrong = 0;
+    int mismatches = 0;
     for (vtkIdType i = 0; i < got->GetNumberOfTuples(); ++i)
     {
       for (int c = 0; c < got->GetNumberOfComponents(); ++c)
       {
-        wrong += got->GetComponent(i, c) == given->GetComponent(made.Pixels[i], c) ? 0 : 1;
+        mismatches += got->GetComponent(i, c) == given->GetComponent(made.Pixels[i], c) ? 0 : 1;
       }
     }
-    RELIEVO_CHECK_THAT(wrong == 0, std::string("values moved in ") + name);
+    RELIEVO_CHECK_THAT(mismatches == 0, std::string("values moved in ") + name);
   }
   RELIEVO_CHECK(filter->GetOutput()->GetFieldData()->GetArray("worldToNDC") != nullptr);
   filter->KeepArraysOff();

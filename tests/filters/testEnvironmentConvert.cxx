@@ -266,15 +266,15 @@ void TestSizes()
     RELIEVO_CHECK(std::equal(one.Expected, one.Expected + 3, made->GetDimensions()));
     if (one.From == one.To)
     {
-      int wrong = 0; // a copy
+      int mismatches = 0; // a copy
       for (vtkIdType i = 0; i < made->GetNumberOfPoints(); ++i)
       {
-        wrong += made->GetPointData()->GetScalars()->GetComponent(i, 1) ==
+        mismatches += made->GetPointData()->GetScalars()->GetComponent(i, 1) ==
             image->GetPointData()->GetScalars()->GetComponent(i, 1)
           ? 0
           : 1;
       }
-      RELIEVO_CHECK(wrong == 0);
+      RELIEVO_CHECK(mismatches == 0);
     }
   }
   // Any shape is equirectangular when it is said to be.

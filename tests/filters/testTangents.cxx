@@ -219,28 +219,28 @@ void TestArraysPass()
   RELIEVO_CHECK(split->GetPoints()->GetDataType() == VTK_DOUBLE);
   RELIEVO_CHECK(Tuple3(split->GetPointData()->GetArray("T"), lonely) == glm::dvec3(0.));
   vtkDataArray* originals = split->GetPointData()->GetArray("vtkOriginalPointIds");
-  int wrong = 0;
+  int mismatches = 0;
   for (vtkIdType i = 0; i < split->GetNumberOfPoints(); ++i)
   {
     const auto from = static_cast<vtkIdType>(originals->GetComponent(i, 0));
-    wrong += i < mesh->GetNumberOfPoints() && from != i ? 1 : 0;
+    mismatches += i < mesh->GetNumberOfPoints() && from != i ? 1 : 0;
     double a[3];
     double b[3];
     split->GetPoint(i, a);
     mesh->GetPoint(from, b);
-    wrong += std::equal(a, a + 3, b) ? 0 : 1;
+    mismatches += std::equal(a, a + 3, b) ? 0 : 1;
     for (const char* name : { "pressure", "Normals", "TCoords", "truth" })
     {
       vtkDataArray* to = split->GetPointData()->GetArray(name);
       for (int c = 0; c < to->GetNumberOfComponents(); ++c)
       {
-        wrong +=
+        mismatches +=
           to->GetComponent(i, c) == mesh->GetPointData()->GetArray(name)->GetComponent(from, c) ? 0
                                                                                                 : 1;
       }
     }
   }
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "values that are not those of the point before");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "values that are not those of the point before");
 }
 
 // Triangles without texture area, of one kind after the other, in a plane: they take their

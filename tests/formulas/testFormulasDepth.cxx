@@ -226,11 +226,11 @@ void TestInfiniteFar()
 void TestHalves()
 {
   using namespace relievo::bits;
-  int wrong = 0;
+  int mismatches = 0;
   for (std::uint32_t half = 0; half < 0x7c00u; ++half)
   {
     const float low = FromHalf(half);
-    wrong += ToHalf(low) == half && ToHalf(-low) == (half | 0x8000u) ? 0 : 1;
+    mismatches += ToHalf(low) == half && ToHalf(-low) == (half | 0x8000u) ? 0 : 1;
     if (half == 0x7bffu)
     {
       break;
@@ -238,11 +238,11 @@ void TestHalves()
     const float high = FromHalf(half + 1);
     const float middle = 0.5f * (low + high);
     const std::uint32_t even = half & 1u ? half + 1 : half;
-    wrong += low < high && ToHalf(middle) == even ? 0 : 1;
-    wrong += ToHalf(std::nextafter(middle, low)) == half ? 0 : 1;
-    wrong += ToHalf(std::nextafter(middle, high)) == half + 1 ? 0 : 1;
+    mismatches += low < high && ToHalf(middle) == even ? 0 : 1;
+    mismatches += ToHalf(std::nextafter(middle, low)) == half ? 0 : 1;
+    mismatches += ToHalf(std::nextafter(middle, high)) == half + 1 ? 0 : 1;
   }
-  RELIEVO_CHECK_THAT(wrong == 0, std::to_string(wrong) + " halves round wrongly");
+  RELIEVO_CHECK_THAT(mismatches == 0, std::to_string(mismatches) + " halves round wrongly");
   RELIEVO_CHECK(FromHalf(0x3c00u) == 1.f && FromHalf(0x7bffu) == 65504.f);
   RELIEVO_CHECK(FromHalf(1u) == 0x1p-24f && FromHalf(0x8001u) == -0x1p-24f);
   RELIEVO_CHECK(ToHalf(65520.f) == 0x7c00u && ToHalf(-1e30f) == 0xfc00u);

@@ -109,16 +109,16 @@ void TestSamplerCube()
     {
       continue;
     }
-    int wrong = 0;
+    int mismatches = 0;
     for (std::size_t i = 0; i < found.size(); ++i)
     {
-      wrong += found[i].Face == expected[i].Face && found[i].I == expected[i].I &&
+      mismatches += found[i].Face == expected[i].Face && found[i].I == expected[i].I &&
           found[i].J == expected[i].J
         ? 0
         : 1;
     }
     RELIEVO_CHECK_AT_MOST(
-      wrong, 0, "texels that samplerCube finds elsewhere, faces of " + std::to_string(size));
+      mismatches, 0, "texels that samplerCube finds elsewhere, faces of " + std::to_string(size));
   }
 }
 }

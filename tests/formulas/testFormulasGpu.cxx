@@ -364,13 +364,13 @@ void TestTree(relievoTest::GpuCases& gpu)
   }
   for (const auto& run : { RunFloat(90, inputs), gpu.Run(90, inputs) })
   {
-    long long wrong = run.size() == inputs.size() ? 0 : 1;
+    long long mismatches = run.size() == inputs.size() ? 0 : 1;
     for (std::size_t i = 0; i < run.size(); ++i)
     {
       const glm::uvec4& a = inputs[i].A;
-      wrong += run[i] == glm::uvec4(2u * a.x - 1u, a.y, 4u * a.y, 0u) ? 0 : 1;
+      mismatches += run[i] == glm::uvec4(2u * a.x - 1u, a.y, 4u * a.y, 0u) ? 0 : 1;
     }
-    RELIEVO_CHECK_AT_MOST(wrong, 0, "indices into a tree");
+    RELIEVO_CHECK_AT_MOST(mismatches, 0, "indices into a tree");
   }
 }
 

@@ -138,7 +138,7 @@ void TestPreciseIsBetter(const std::vector<glm::dvec3>& directions)
 // words denote one direction.
 void TestEveryWord()
 {
-  int wrong = 0;
+  int mismatches = 0;
   for (std::uint32_t y = 1; y < 256; ++y)
   {
     for (std::uint32_t x = 1; x < 256; ++x)
@@ -150,12 +150,13 @@ void TestEveryWord()
       const bool rim = x == 1 || x == 255 || y == 1 || y == 255;
       const glm::vec3 back = f32::relievoUnpackNormalOct8(plain);
       const glm::vec3 backPrecise = f32::relievoUnpackNormalOct8(precise);
-      wrong += (plain == word || rim) && (precise == word || rim) ? 0 : 1;
-      wrong += Degrees(n, back) < 1e-4 && Degrees(n, backPrecise) < 1e-4 ? 0 : 1;
-      wrong += std::abs(glm::length(glm::dvec3(n)) - 1.) < 2e-7 ? 0 : 1;
+      mismatches += (plain == word || rim) && (precise == word || rim) ? 0 : 1;
+      mismatches += Degrees(n, back) < 1e-4 && Degrees(n, backPrecise) < 1e-4 ? 0 : 1;
+      mismatches += std::abs(glm::length(glm::dvec3(n)) - 1.) < 2e-7 ? 0 : 1;
     }
   }
-  RELIEVO_CHECK_THAT(wrong == 0, std::to_string(wrong) + " words of 2 x 8 do not come back");
+  RELIEVO_CHECK_THAT(
+    mismatches == 0, std::to_string(mismatches) + " words of 2 x 8 do not come back");
 }
 
 void TestClosedForms()

@@ -36,7 +36,7 @@ double Area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 void TestTriangles(bool closed)
 {
   long long met = 0;
-  long long wrong = 0;
+  long long mismatches = 0;
   for (int i = 0; i < 20000; ++i)
   {
     const glm::dvec2 a = Place(1.);
@@ -47,15 +47,15 @@ void TestTriangles(bool closed)
     if (Area(a, b, c) < 1e-3 || std::abs(more) < 1e-12)
     {
       met += more < 1e-12 ? 1 : 0;
-      wrong +=
+      mismatches +=
         f64::relievoLineHitsTriangle(a, b, c, closed) != (more < 1e-12) && Area(a, b, c) > 1e-3 ? 1
                                                                                                 : 0;
       continue;
     }
-    wrong += f64::relievoLineHitsTriangle(a, b, c, closed) ? 1 : 0;
+    mismatches += f64::relievoLineHitsTriangle(a, b, c, closed) ? 1 : 0;
   }
   RELIEVO_CHECK(met > 1000);
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "lines at triangles");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "lines at triangles");
   const glm::dvec2 p(0.3, 0.4);
   RELIEVO_CHECK(!f64::relievoLineHitsTriangle(p, p, p, closed));
   RELIEVO_CHECK(!f64::relievoLineHitsTriangle(-p, p, 2. * p, closed)); // edge-on

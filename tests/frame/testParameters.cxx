@@ -250,14 +250,14 @@ void TestOtherTypes()
   RELIEVO_CHECK(takes("size", "4x0") && size[0] == 4 && size[1] == 0);
   RELIEVO_CHECK(takes("choice", "three") && choice == 3 && takes("choice", "two") && choice == 2);
   RELIEVO_CHECK(takes("label", "-9007199254740992") && label == -9007199254740992LL);
-  const std::vector<std::pair<const char*, std::vector<const char*>>> wrong = {
+  const std::vector<std::pair<const char*, std::vector<const char*>>> invalid = {
     { "day",
       { "2026-13-01", "2026-00-01", "2026-02-32", "1899-01-01", "2026-06", "2026-06-21-1" } },
     { "box", { "0,1,0,1,0", "0,1,0,1,0,nan", "0,1,0,1,0,1,0" } },
     { "size", { "4x", "4", "4x4x4", "-1x4", "4.5x4" } }, { "choice", { "one", "2", "" } },
     { "label", { "1e30", "-1e30", "9007199254740994", "0.5" } }
   };
-  for (const auto& each : wrong)
+  for (const auto& each : invalid)
   {
     const std::string before = list.GetValue(each.first);
     for (const char* words : each.second)

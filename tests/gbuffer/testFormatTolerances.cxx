@@ -120,16 +120,16 @@ void TestChoices()
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   {
     const relievoTest::ExpectMessage expected("SetNormalTolerance was given");
-    for (const double wrong : { -1., 1e-6, 200., nan })
+    for (const double invalid : { -1., 1e-6, 200., nan })
     {
-      gbuffer->SetNormalTolerance(wrong);
+      gbuffer->SetNormalTolerance(invalid);
     }
   }
   {
     const relievoTest::ExpectMessage expected("SetDepthTolerance was given");
-    for (const double wrong : { -1., 1e-9, 2., nan })
+    for (const double invalid : { -1., 1e-9, 2., nan })
     {
-      gbuffer->SetDepthTolerance(wrong);
+      gbuffer->SetDepthTolerance(invalid);
     }
   }
   RELIEVO_CHECK(gbuffer->GetNormalTolerance() == 1. && gbuffer->GetDepthTolerance() == 1e-4);

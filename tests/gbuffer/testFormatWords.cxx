@@ -95,7 +95,7 @@ long long BytesHeld(
 
 void CheckBackground(const std::string& what, const Layers& layers)
 {
-  long long wrong = 0;
+  long long mismatches = 0;
   long long there = 0;
   const glm::dvec3 zero(0.);
   for (int y = 0; y < layers.Height; ++y)
@@ -104,14 +104,14 @@ void CheckBackground(const std::string& what, const Layers& layers)
     {
       if (layers.Id("actor", x, y) >= 0)
       {
-        wrong += std::isfinite(layers.Value("depth", x, y)) ? 0 : 1;
-        wrong += std::abs(glm::length(layers.Vector("normal", x, y)) - 1.) < 1e-5 ? 0 : 1;
+        mismatches += std::isfinite(layers.Value("depth", x, y)) ? 0 : 1;
+        mismatches += std::abs(glm::length(layers.Vector("normal", x, y)) - 1.) < 1e-5 ? 0 : 1;
         ++there;
         continue;
       }
       const double infinity = std::numeric_limits<double>::infinity();
-      wrong += layers.Value("depth", x, y) == infinity && layers.Value("range", x, y) == infinity &&
-          layers.Vector("normal", x, y) == zero &&
+      mismatches += layers.Value("depth", x, y) == infinity &&
+          layers.Value("range", x, y) == infinity && layers.Vector("normal", x, y) == zero &&
           layers.Vector("geometric_normal", x, y) == zero &&
           layers.Vector("position", x, y) == zero && layers.Id("block", x, y) == -1 &&
           layers.Id("cell", x, y) == -1 && std::isnan(layers.Value("Normals", x, y)) &&
@@ -121,7 +121,7 @@ void CheckBackground(const std::string& what, const Layers& layers)
     }
   }
   RELIEVO_CHECK(there > 3000 && there < Width * Height - 1000);
-  RELIEVO_CHECK_AT_MOST(wrong, 0, what + ": pixels of the background, or with holes");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, what + ": pixels of the background, or with holes");
 }
 
 const std::vector<std::string> All = { "depth", "range", "normal", "geometric_normal", "position",

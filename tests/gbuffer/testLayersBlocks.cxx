@@ -90,7 +90,7 @@ void TestCellData(CellData data)
   told = data != CellData::Normals;
 #endif
   const auto ask = [&](Way way) {
-    long long wrong = 0;
+    long long mismatches = 0;
     long long seen = 0;
     const Layers layers(stage.Renderer, { "block", "cell" }, way);
     for (int y = 0; y < truth.Height; ++y)
@@ -100,7 +100,7 @@ void TestCellData(CellData data)
         const PixelTruth& pixel = truth.At(x, y);
         if (pixel.Inner && pixel.Hit && pixel.EdgeDistance > 0.01)
         {
-          wrong += layers.Id("block", x, y) != (told ? pixel.Actor + 1 : -1) ||
+          mismatches += layers.Id("block", x, y) != (told ? pixel.Actor + 1 : -1) ||
               layers.Id("cell", x, y) != (told ? pixel.Cell : -1)
             ? 1
             : 0;
@@ -109,7 +109,7 @@ void TestCellData(CellData data)
       }
     }
     RELIEVO_CHECK(seen > 1000);
-    RELIEVO_CHECK_AT_MOST(wrong, 0,
+    RELIEVO_CHECK_AT_MOST(mismatches, 0,
       "cell data " + std::to_string(static_cast<int>(data)) + ", " + relievoTest::ToString(way) +
         ": pixels with another block or cell");
   };

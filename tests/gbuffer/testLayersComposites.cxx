@@ -94,7 +94,7 @@ void CheckParts(const std::string& what, vtkRenderer* renderer, const EmbreeScen
   {
     const Layers layers(renderer, Names, way);
     std::vector<long long> seen(parts.size(), 0);
-    long long wrong[5] = { 0, 0, 0, 0, 0 };
+    long long mismatches[5] = { 0, 0, 0, 0, 0 };
     double depth = 0.;
     for (int y = 0; y < truth.Height; ++y)
     {
@@ -107,15 +107,15 @@ void CheckParts(const std::string& what, vtkRenderer* renderer, const EmbreeScen
         }
         const Part part = pixel.Hit ? parts[pixel.Actor] : Part{ -1, -1, { 0, 0, 0 } };
         seen[pixel.Hit ? pixel.Actor : 0] += pixel.Hit ? 1 : 0;
-        wrong[0] += layers.Id("actor", x, y) != part.Actor ? 1 : 0;
-        wrong[1] += layers.Id("block", x, y) != part.Block ? 1 : 0;
-        wrong[2] += layers.Id("cell", x, y) != (pixel.Hit ? pixel.Cell : -1) ? 1 : 0;
+        mismatches[0] += layers.Id("actor", x, y) != part.Actor ? 1 : 0;
+        mismatches[1] += layers.Id("block", x, y) != part.Block ? 1 : 0;
+        mismatches[2] += layers.Id("cell", x, y) != (pixel.Hit ? pixel.Cell : -1) ? 1 : 0;
         bool same = true;
         for (int c = 0; c < 3; ++c)
         {
           same = same && std::abs(layers.Value("albedo", x, y, c) - part.Color[c]) <= 1.;
         }
-        wrong[3] += same ? 0 : 1;
+        mismatches[3] += same ? 0 : 1;
         if (pixel.Hit)
         {
           depth =
@@ -129,10 +129,10 @@ void CheckParts(const std::string& what, vtkRenderer* renderer, const EmbreeScen
       RELIEVO_CHECK_THAT(seen[i] > 50, name + ": part " + std::to_string(i) + " is hardly seen");
     }
     RELIEVO_CHECK_AT_MOST(depth, 1e-6, name + ": depth");
-    RELIEVO_CHECK_AT_MOST(wrong[0], 0, name + ": pixels with another actor");
-    RELIEVO_CHECK_AT_MOST(wrong[1], 0, name + ": pixels with another block");
-    RELIEVO_CHECK_AT_MOST(wrong[2], 0, name + ": pixels with another cell");
-    RELIEVO_CHECK_AT_MOST(wrong[3], 0, name + ": pixels with another albedo");
+    RELIEVO_CHECK_AT_MOST(mismatches[0], 0, name + ": pixels with another actor");
+    RELIEVO_CHECK_AT_MOST(mismatches[1], 0, name + ": pixels with another block");
+    RELIEVO_CHECK_AT_MOST(mismatches[2], 0, name + ": pixels with another cell");
+    RELIEVO_CHECK_AT_MOST(mismatches[3], 0, name + ": pixels with another albedo");
   }
 }
 
@@ -365,7 +365,7 @@ void TestDataSetMapper()
   CheckParts("data set mapper", stage.Renderer, scene, { { 0, 0, { 255, 255, 255 } } });
 
   const Layers layers(stage.Renderer, { "position", "actor", "grid cell" });
-  long long wrong = 0;
+  long long mismatches = 0;
   for (int y = 0; y < layers.Height; ++y)
   {
     for (int x = 0; x < layers.Width; ++x)
@@ -373,11 +373,11 @@ void TestDataSetMapper()
       const double across = layers.Value("position", x, y, 0);
       if (layers.Id("actor", x, y) == 0 && std::abs(across) > 0.01)
       {
-        wrong += layers.Value("grid cell", x, y) != (across > 0. ? 1. : 0.) ? 1 : 0;
+        mismatches += layers.Value("grid cell", x, y) != (across > 0. ? 1. : 0.) ? 1 : 0;
       }
     }
   }
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "data set mapper: pixels with another cell of the grid");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "data set mapper: pixels with another cell of the grid");
 }
 }
 

@@ -49,7 +49,7 @@ const std::vector<std::string> Names = { "depth", "actor", "cell" };
 void CheckSurface(const std::string& what, const Layers& layers, const TruthImage& truth)
 {
   long long seen = 0;
-  long long wrong = 0;
+  long long mismatches = 0;
   double worst = 0.;
   for (int y = 0; y < truth.Height; ++y)
   {
@@ -61,15 +61,15 @@ void CheckSurface(const std::string& what, const Layers& layers, const TruthImag
         continue;
       }
       ++seen;
-      wrong += layers.Id("cell", x, y) != pixel.Cell;
+      mismatches += layers.Id("cell", x, y) != pixel.Cell;
       worst = std::max(worst, std::abs(layers.Value("depth", x, y) - pixel.Depth) / pixel.Depth);
     }
   }
-  std::cout << what << ": " << seen << " pixels, depth off by " << worst << ", " << wrong
+  std::cout << what << ": " << seen << " pixels, depth off by " << worst << ", " << mismatches
             << " wrong cells\n";
   RELIEVO_CHECK_THAT(seen > 500, what + ": the scene is not in the picture");
   RELIEVO_CHECK_AT_MOST(worst, 1e-7, what + ": relative error of the depth");
-  RELIEVO_CHECK_AT_MOST(wrong, 0, what + ": pixels with the wrong cell");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, what + ": pixels with the wrong cell");
 }
 
 // A ball of quads and triangles, so that primitives and cells count differently.
@@ -277,7 +277,7 @@ void TestChangedMesh()
   vtkNew<vtkImageData> image;
   RELIEVO_CHECK(frame->ReadLayer("cell", image) && frame->ReadLayer("depth", image));
   const Layers layers(image);
-  long long wrong = 0;
+  long long mismatches = 0;
   double worst = 0.;
   for (int y = 0; y < layers.Height; ++y)
   {
@@ -286,12 +286,12 @@ void TestChangedMesh()
       const PixelTruth& pixel = expected.At(x, y);
       if (pixel.Inner && pixel.Hit && pixel.EdgeDistance > 0.1)
       {
-        wrong += layers.Id("cell", x, y) != pixel.Cell;
+        mismatches += layers.Id("cell", x, y) != pixel.Cell;
         worst = std::max(worst, std::abs(layers.Value("depth", x, y) - pixel.Depth) / pixel.Depth);
       }
     }
   }
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "cells of the frame, after the mesh has changed");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "cells of the frame, after the mesh has changed");
   RELIEVO_CHECK_AT_MOST(worst, 1e-3, "depths of the frame, after the mesh has changed");
   vtkRelievoPass::Detach(stage.Renderer);
 }

@@ -114,7 +114,7 @@ void CheckGlyphs(const std::string& what, const Stage& stage, const Scene& scene
   {
     const Layers layers(stage.Renderer, Names, way);
     long long seen = 0;
-    long long wrong[4] = { 0, 0, 0, 0 };
+    long long mismatches[4] = { 0, 0, 0, 0 };
     double depth = 0.;
     double angle[2] = { 0., 0. };
     for (int y = 0; y < truth.Height; ++y)
@@ -127,11 +127,11 @@ void CheckGlyphs(const std::string& what, const Stage& stage, const Scene& scene
           continue;
         }
         const Glyph glyph = pixel.Hit ? scene.Glyphs[pixel.Actor] : Glyph{ -1, -1 };
-        wrong[0] += layers.Id("actor", x, y) != (pixel.Hit ? 0 : -1) ? 1 : 0;
-        wrong[1] += layers.Id("block", x, y) != glyph.Block ? 1 : 0;
-        wrong[2] += layers.Id("cell", x, y) != glyph.Point ? 1 : 0;
+        mismatches[0] += layers.Id("actor", x, y) != (pixel.Hit ? 0 : -1) ? 1 : 0;
+        mismatches[1] += layers.Id("block", x, y) != glyph.Block ? 1 : 0;
+        mismatches[2] += layers.Id("cell", x, y) != glyph.Point ? 1 : 0;
         const double weight = layers.Value("weight", x, y);
-        wrong[3] += (pixel.Hit ? weight != Weight(glyph.Point) : !std::isnan(weight)) ? 1 : 0;
+        mismatches[3] += (pixel.Hit ? weight != Weight(glyph.Point) : !std::isnan(weight)) ? 1 : 0;
         if (!pixel.Hit)
         {
           continue;
@@ -150,10 +150,10 @@ void CheckGlyphs(const std::string& what, const Stage& stage, const Scene& scene
     RELIEVO_CHECK_AT_MOST(angle[0], 0.1, name + ": geometric normal, degrees");
     // The normals of a ball are up to half its facets' angles off its facets.
     RELIEVO_CHECK_AT_MOST(angle[1], flat ? 0.1 : 60., name + ": normal, degrees");
-    RELIEVO_CHECK_AT_MOST(wrong[0], 0, name + ": pixels with another actor");
-    RELIEVO_CHECK_AT_MOST(wrong[1], 0, name + ": pixels with another block");
-    RELIEVO_CHECK_AT_MOST(wrong[2], 0, name + ": pixels with another point");
-    RELIEVO_CHECK_AT_MOST(wrong[3], 0, name + ": pixels with another weight");
+    RELIEVO_CHECK_AT_MOST(mismatches[0], 0, name + ": pixels with another actor");
+    RELIEVO_CHECK_AT_MOST(mismatches[1], 0, name + ": pixels with another block");
+    RELIEVO_CHECK_AT_MOST(mismatches[2], 0, name + ": pixels with another point");
+    RELIEVO_CHECK_AT_MOST(mismatches[3], 0, name + ": pixels with another weight");
   }
 }
 
@@ -358,14 +358,14 @@ void TestManyBlocks()
   actor->SetMapper(mapper);
   stage.Renderer->AddActor(actor);
   const Layers layers(stage.Renderer, { "actor", "block" });
-  int wrong = 0;
+  int mismatches = 0;
   for (int i = 0; i < Rows * Columns; ++i)
   {
     const int x = 4 * (i % Columns) + 2;
     const int y = 4 * (i / Columns) + 2;
-    wrong += layers.Id("actor", x, y) == 0 && layers.Id("block", x, y) == i + 1 ? 0 : 1;
+    mismatches += layers.Id("actor", x, y) == 0 && layers.Id("block", x, y) == i + 1 ? 0 : 1;
   }
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "6000 blocks of glyphs: those that are taken for another");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "6000 blocks of glyphs: those that are taken for another");
 }
 }
 

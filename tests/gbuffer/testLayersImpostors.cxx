@@ -75,7 +75,7 @@ void CheckShapes(const std::string& what, const Stage& stage, const TruthImage& 
     long long inner = 0;
     long long hits = 0;
     long long other = 0;
-    long long wrong = 0;
+    long long mismatches = 0;
     for (int y = 0; y < truth.Height; ++y)
     {
       for (int x = 0; x < truth.Width; ++x)
@@ -94,8 +94,9 @@ void CheckShapes(const std::string& what, const Stage& stage, const TruthImage& 
         {
           normal = std::max(normal, AngleDegrees(layers.Vector(name, x, y), pixel.Normal));
         }
-        wrong += layers.Id("actor", x, y) != 0 || layers.Id("cell", x, y) != pixel.Actor ? 1 : 0;
-        wrong += weights && layers.Value("weight", x, y) != 0.5 + pixel.Actor ? 1 : 0;
+        mismatches +=
+          layers.Id("actor", x, y) != 0 || layers.Id("cell", x, y) != pixel.Actor ? 1 : 0;
+        mismatches += weights && layers.Value("weight", x, y) != 0.5 + pixel.Actor ? 1 : 0;
       }
     }
     const std::string name = what + ", " + relievoTest::ToString(way);
@@ -104,7 +105,7 @@ void CheckShapes(const std::string& what, const Stage& stage, const TruthImage& 
       name + ": share of other coverage");
     RELIEVO_CHECK_AT_MOST(depth, limits.Depth, name + ": depth, in radii");
     RELIEVO_CHECK_AT_MOST(normal, limits.Normal, name + ": normal, degrees");
-    RELIEVO_CHECK_AT_MOST(wrong, 0, name + ": pixels with another id");
+    RELIEVO_CHECK_AT_MOST(mismatches, 0, name + ": pixels with another id");
   }
 }
 

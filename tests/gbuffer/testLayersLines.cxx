@@ -160,7 +160,7 @@ void CheckPrimitives(const std::string& what, const Stage& stage,
     long long far = 0;
     double depth = 0.;
     double value = 0.;
-    long long wrong = 0;
+    long long mismatches = 0;
     for (int y = 0; y < layers.Height; ++y)
     {
       for (int x = 0; x < layers.Width; ++x)
@@ -169,12 +169,12 @@ void CheckPrimitives(const std::string& what, const Stage& stage,
         const double drawn = layers.Value("depth", x, y);
         const glm::dvec3 normal = layers.Vector("normal", x, y);
         const double length = glm::length(normal);
-        wrong +=
+        mismatches +=
           (cell >= 0) != std::isfinite(drawn) || layers.Id("actor", x, y) != (cell < 0 ? -1 : 0)
           ? 1
           : 0;
         // A line has no normal, unless it is lit.
-        wrong += length == 0. || std::abs(length - 1.) < 1e-3 ? 0 : 1;
+        mismatches += length == 0. || std::abs(length - 1.) < 1e-3 ? 0 : 1;
         if (cell < 0)
         {
           continue;
@@ -211,7 +211,7 @@ void CheckPrimitives(const std::string& what, const Stage& stage,
         name + ": primitive " + std::to_string(i) + " of cell " +
           std::to_string(primitives[i].Cell) + " is not seen");
     }
-    RELIEVO_CHECK_AT_MOST(wrong, 0, name + ": pixels of which layers contradict one another");
+    RELIEVO_CHECK_AT_MOST(mismatches, 0, name + ": pixels of which layers contradict one another");
     RELIEVO_CHECK_AT_MOST(far, 0, name + ": pixels that are not near what they name");
     RELIEVO_CHECK_AT_MOST(depth, 1., name + ": depth, of what is allowed");
     RELIEVO_CHECK_AT_MOST(value, 1., name + ": value, of what is allowed");

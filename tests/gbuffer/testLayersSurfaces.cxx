@@ -45,7 +45,7 @@ void CompareActors(
   {
     const Layers layers(stage.Renderer, { "depth", "actor" }, way);
     long long seen[2] = { 0, 0 };
-    long long wrong = 0;
+    long long mismatches = 0;
     double depth = 0.;
     for (int y = 0; y < truth.Height; ++y)
     {
@@ -56,7 +56,7 @@ void CompareActors(
         {
           continue;
         }
-        wrong += layers.Id("actor", x, y) != pixel.Actor ? 1 : 0;
+        mismatches += layers.Id("actor", x, y) != pixel.Actor ? 1 : 0;
         if (pixel.Hit && layers.Id("actor", x, y) == pixel.Actor)
         {
           ++seen[pixel.Actor];
@@ -68,7 +68,7 @@ void CompareActors(
     const std::string name = what + ", " + relievoTest::ToString(way);
     RELIEVO_CHECK_THAT(
       seen[0] >= leastPerActor && seen[1] >= leastPerActor, name + ": too little is seen");
-    RELIEVO_CHECK_AT_MOST(wrong, 0, name + ": pixels with another actor");
+    RELIEVO_CHECK_AT_MOST(mismatches, 0, name + ": pixels with another actor");
     RELIEVO_CHECK_AT_MOST(depth, 1e-6, name + ": depth");
   }
 }
@@ -197,7 +197,7 @@ void TestCoincident(double zNear, double zFar)
       stage.Renderer->AddActor(low);
     }
     const Layers layers(stage.Renderer, { "depth", "actor" });
-    long long wrong = 0;
+    long long mismatches = 0;
     double depth = 0.;
     for (int y = 0; y < truth.Height; ++y)
     {
@@ -206,7 +206,7 @@ void TestCoincident(double zNear, double zFar)
         const PixelTruth& pixel = truth.At(x, y);
         if (pixel.Inner && pixel.Hit)
         {
-          wrong += layers.Id("actor", x, y) != (swapped ? 0 : 1) ? 1 : 0;
+          mismatches += layers.Id("actor", x, y) != (swapped ? 0 : 1) ? 1 : 0;
           depth =
             std::max(depth, std::abs(layers.Value("depth", x, y) - pixel.Depth) / pixel.Depth);
         }
@@ -214,7 +214,7 @@ void TestCoincident(double zNear, double zFar)
     }
     const std::string name = "coincident squares, far " + std::to_string(zFar);
     RELIEVO_CHECK(layers.Covered() > 1000);
-    RELIEVO_CHECK_AT_MOST(wrong, 0, name + ": pixels of the square below");
+    RELIEVO_CHECK_AT_MOST(mismatches, 0, name + ": pixels of the square below");
     RELIEVO_CHECK_AT_MOST(depth, 1e-6, name + ": depth");
   }
   vtkMapper::SetResolveCoincidentTopology(before);

@@ -186,7 +186,7 @@ void CheckValues(
     double linear = 0.;
     double place = 0.;
     double depth = 0.;
-    long long wrong = 0;
+    long long mismatches = 0;
     long long present = 0;
     for (int y = 0; y < truth.Height; ++y)
     {
@@ -225,7 +225,7 @@ void CheckValues(
         {
           same = same && layers.Value("16 wide", x, y, c) == 1000. * c + cell;
         }
-        wrong += same ? 0 : 1;
+        mismatches += same ? 0 : 1;
       }
     }
     const std::string name = what + ", " + relievoTest::ToString(way);
@@ -235,7 +235,7 @@ void CheckValues(
     RELIEVO_CHECK_AT_MOST(linear, 1e-9 + slack, name + ": linear values");
     RELIEVO_CHECK_AT_MOST(place, 1e-6 + slack, name + ": vectors in float");
     RELIEVO_CHECK_AT_MOST(depth, 1e-6, name + ": the layer depth beside an array of that name");
-    RELIEVO_CHECK_AT_MOST(wrong, 0, name + ": pixels with other cell values");
+    RELIEVO_CHECK_AT_MOST(mismatches, 0, name + ": pixels with other cell values");
     RELIEVO_CHECK_AT_MOST(present, 0, name + ": values where the array is missing");
     vtkPointData* data = layers.Image->GetPointData();
     for (const char* kept : { "linear", "whole", "cell:both", "holes" })
@@ -267,7 +267,7 @@ void TestBadPointValues()
   scene.AddActors(stage.Renderer);
   const TruthImage truth = scene.Trace(View(stage.Renderer));
   const Layers layers(stage.Renderer, { "values", "infinite" });
-  long long wrong = 0;
+  long long mismatches = 0;
   long long spoiled[2] = { 0, 0 };
   for (int y = 0; y < truth.Height; ++y)
   {
@@ -281,12 +281,12 @@ void TestBadPointValues()
       const auto corners = scene.PointIds(pixel.Triangle);
       const bool bad = corners[0] == 1 || corners[1] == 1 || corners[2] == 1;
       ++spoiled[bad ? 1 : 0];
-      wrong += Same(layers.Value("values", x, y), bad ? Nan : 2.) ? 0 : 1;
-      wrong += bad == std::isinf(layers.Value("infinite", x, y)) ? 0 : 1;
+      mismatches += Same(layers.Value("values", x, y), bad ? Nan : 2.) ? 0 : 1;
+      mismatches += bad == std::isinf(layers.Value("infinite", x, y)) ? 0 : 1;
     }
   }
   RELIEVO_CHECK(spoiled[0] > 500 && spoiled[1] > 500);
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "pixels of triangles with a NaN or an infinity");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "pixels of triangles with a NaN or an infinity");
 }
 
 // Asks for a layer that cannot be; returns the messages.

@@ -50,11 +50,11 @@ void TestJudgement()
   RELIEVO_CHECK(vtkRelievoPrimitiveIds::Check(words));
   for (std::size_t i = 0; i < words.size(); ++i)
   {
-    for (const std::uint32_t wrong : { 0u, 1u, 7u, 77u, 0x3f000000u, 0xffffffffu })
+    for (const std::uint32_t invalid : { 0u, 1u, 7u, 77u, 0x3f000000u, 0xffffffffu })
     {
       auto broken = words;
-      broken[i] = wrong;
-      RELIEVO_CHECK(vtkRelievoPrimitiveIds::Check(broken) == (wrong == words[i]));
+      broken[i] = invalid;
+      RELIEVO_CHECK(vtkRelievoPrimitiveIds::Check(broken) == (invalid == words[i]));
     }
   }
   RELIEVO_CHECK(!vtkRelievoPrimitiveIds::Check({}));

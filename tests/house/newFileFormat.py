@@ -46,11 +46,11 @@ def on_the_command_line(run, build, folder):
     (folder / "sky.dib").write_bytes(b"DIB" + head + pixels)
     run([relievo, "render", folder / "plate.coff", "--size", "40x30", "--environment",
          folder / "sky.dib", "--skybox", "--png", folder / "plate.png"])  # fmt: skip
-    wrong = run([relievo, "render", folder / "plate.cof", "--png", folder / "no.png"], status=2)
-    assert ".off .coff .gltf" in wrong, wrong
+    said = run([relievo, "render", folder / "plate.cof", "--png", folder / "no.png"], status=2)
+    assert ".off .coff .gltf" in said, said
     (folder / "bad.coff").write_text("OFF\n1 1 0\n", encoding="utf-8")
-    wrong = run([relievo, "render", folder / "bad.coff", "--png", folder / "no.png"], status=1)
-    assert "bad.coff" in wrong, wrong
+    said = run([relievo, "render", folder / "bad.coff", "--png", folder / "no.png"], status=1)
+    assert "bad.coff" in said, said
 
 
 PYTHON = """

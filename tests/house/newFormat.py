@@ -84,8 +84,8 @@ def on_the_command_line(run, build, folder):
     assert len((folder / "lines" / "lines.txt").read_text(encoding="utf-8").splitlines()) == 3
     assert (folder / "lines" / "pictures" / "000002.png").exists()
     assert not (folder / "lines" / "models").exists()
-    wrong = run([*words, folder / "no", "--lens", "equirectangular"], status=2)
-    assert "which has no K; expected the format coco, npz, yolo or webdataset" in wrong, wrong
+    said = run([*words, folder / "no", "--lens", "equirectangular"], status=2)
+    assert "which has no K; expected the format coco, npz, yolo or webdataset" in said, said
 
 
 PYTHON = """

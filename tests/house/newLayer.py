@@ -28,7 +28,7 @@ def add(tree):
 
 
 def on_the_command_line(run, build, folder):
-    """In the help, in the message for a wrong name, and in OpenEXR by the entry's suffix."""
+    """In the help, in the message about an unknown name, and in OpenEXR by the entry's suffix."""
     relievo = build / "bin" / "relievo"
     mesh = folder / "slope.off"
     mesh.write_text("OFF\n4 1 0\n-1 -1 0\n1 -1 0\n1 1 2\n-1 1 2\n4 0 1 2 3\n", encoding="utf-8")

@@ -142,10 +142,10 @@ def on_the_command_line(run, build, folder):
              "--preset", "none", "--lens"]  # fmt: skip
     run([*words, "cylinder:120", "--png", folder / "round.png", "--exr", folder / "round.exr",
          "--layers", "depth"])  # fmt: skip
-    wrong = run([*words, "cylinder", "--png", folder / "no.png"], status=2)
-    assert "got 'cylinder', expected cylinder:DEG: a finite number above 0" in wrong, wrong
-    wrong = run([*words, "cylindre:4", "--png", folder / "no.png"], status=2)
-    assert "orthographic[:PIXELS], cylinder:DEG, or a file" in wrong, wrong
+    said = run([*words, "cylinder", "--png", folder / "no.png"], status=2)
+    assert "got 'cylinder', expected cylinder:DEG: a finite number above 0" in said, said
+    said = run([*words, "cylindre:4", "--png", folder / "no.png"], status=2)
+    assert "orthographic[:PIXELS], cylinder:DEG, or a file" in said, said
 
 
 PYTHON = """

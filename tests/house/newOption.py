@@ -72,10 +72,10 @@ def on_the_command_line(run, build, folder):
 
     assert pixels() == pixels("--line-width", "1") != pixels("--line-width", "5")
     assert len(pixels("--fast-png")) > 60 * 60 * 3 > len(pixels())
-    wrong = run([*draw, "--line-width", "21"], status=2)
-    assert "--line-width: got '21', expected a number from 1 to 20" in wrong, wrong
-    wrong = run([*draw, "--sky-rays", "0"], status=2)
-    assert "--sky-rays: got '0', expected" in wrong, wrong
+    said = run([*draw, "--line-width", "21"], status=2)
+    assert "--line-width: got '21', expected a number from 1 to 20" in said, said
+    said = run([*draw, "--sky-rays", "0"], status=2)
+    assert "--sky-rays: got '0', expected" in said, said
 
 
 PYTHON = r"""

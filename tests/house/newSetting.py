@@ -68,8 +68,8 @@ def on_the_command_line(run, build, folder):
     for horizon, hours in (("0", "12."), ("60", "4.")):  # by 15 degrees an hour, past the zenith
         said = run([*sun, "--horizon", horizon])
         assert f": {hours}" in said, said
-    wrong = run([*sun, "--horizon", "81"], status=2)
-    assert "--horizon: got '81', expected a number from 0 to 80" in wrong, wrong
+    message = run([*sun, "--horizon", "81"], status=2)
+    assert "--horizon: got '81', expected a number from 0 to 80" in message, message
     cave = [relievo, "cave", "--size", "8x8x8", "-o", folder / "cave.vti"]
     assert "512 samples" in run(cave) and run([*cave, "--silent"]) == ""
 

@@ -63,8 +63,8 @@ def on_the_command_line(run, build, folder):
     bright = (folder / "bright.png").read_bytes()
     assert draw("darkness=0") == bright
     assert draw("darkness=1") == draw("reflection_weight=0") != bright
-    wrong = run([*words, folder / "dark.png", "--material", "darkness=2"], status=2)
-    assert "--material darkness" in wrong and "from 0 to 1" in wrong, wrong
+    said = run([*words, folder / "dark.png", "--material", "darkness=2"], status=2)
+    assert "--material darkness" in said and "from 0 to 1" in said, said
 
 
 PYTHON = """

@@ -54,8 +54,8 @@ def on_the_command_line(run, build, folder):
     assert len(pictures) == 2
     none = run([*words, folder / "fog.png", "--fog", f"{points},share=0.2"], status=1)
     assert "holds no points that are fog" in none, none
-    wrong = run([*words, folder / "fog.png", "--fog", f"{points},share=2"], status=2)
-    assert "--fog share" in wrong and "from 0 to 1" in wrong, wrong
+    said = run([*words, folder / "fog.png", "--fog", f"{points},share=2"], status=2)
+    assert "--fog share" in said and "from 0 to 1" in said, said
 
 
 PYTHON = """

@@ -42,6 +42,7 @@ MISTAKES = {
     "private word": ("io/vtkW.h", LICENCE + "// The nearest meeting of a ray.\n", "say hit"),
     "private name": ("io/vtkX.h", LICENCE + "int GetReaderDoor();\n", "interface"),
     "no noun": ("docs/a.md", "The depth is infinite where nothing is.\n", "the noun"),
+    "wrong": ("tests/testW.cxx", LICENCE + "int wrong = 0;\n", "says how"),
     "beam": ("rays/vtkY.h", LICENCE + "// Along a beam.\n", "a ray"),
     "version": ("io/vtkV.h", LICENCE + "#if VTK_VERSION_NUMBER > 1\n#endif\n",
                 "vtkRelievoVTKVersions.h"),

@@ -183,10 +183,10 @@ def on_the_command_line(build):
     plain = (folder / "plain.png").read_bytes()
     assert (folder / "mist0.png").read_bytes() == plain
     assert (folder / "mist0.9.png").read_bytes() != plain
-    wrong = run([*words, "--stage", "mist:strength=2", "--png", folder / "no.png"], status=2)
-    assert "mist:strength" in wrong and "0 to 1" in wrong, wrong
-    wrong = run([*words, "--stage", "mits", "--png", folder / "no.png"], status=2)
-    assert "mist" in wrong, wrong
+    said = run([*words, "--stage", "mist:strength=2", "--png", folder / "no.png"], status=2)
+    assert "mist:strength" in said and "0 to 1" in said, said
+    said = run([*words, "--stage", "mits", "--png", folder / "no.png"], status=2)
+    assert "mist" in said, said
 
 
 PYTHON = """

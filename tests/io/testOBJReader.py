@@ -228,10 +228,10 @@ class OBJ(unittest.TestCase):
     def test_wrong_points(self):
         """Invalid points remove only their faces; the rest keeps its numbers."""
         faces = "l 1 5\nl 1 2\nf 1 2 3\nf 3 4 5\nf 5 1 2\nf 1 3 4\n"
-        for wrong in ("inf 0 0", "nan 0 0", "0 -nan 0", "0 0 1,5", "abc 0 0", "0 0", "",
+        for invalid in ("inf 0 0", "nan 0 0", "0 -nan 0", "0 0 1,5", "abc 0 0", "0 0", "",
                       "1e999 0 0", "0 0x10 0", "1.0.0 0 0", "0 0 -inf"):  # fmt: skip
-            with self.subTest(point=wrong):
-                mesh = self.check(f"{SQUARE}v {wrong}\nv 9 9 9\n{faces}",
+            with self.subTest(point=invalid):
+                mesh = self.check(f"{SQUARE}v {invalid}\nv 9 9 9\n{faces}",
                                   [[0, 1], [0, 1, 2], [0, 2, 3]], count=6)  # fmt: skip
                 ids = self.array(mesh.GetCellData(), "vtkOriginalCellIds")
                 self.assertEqual(list(ids), [1, 2, 5])

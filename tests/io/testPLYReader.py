@@ -129,9 +129,9 @@ class PLY(unittest.TestCase):
                     parts = [row[1] for rows in by_kind for row in rows]
                     self.assertEqual(list(self.array(mesh.GetCellData(), "part")), parts)
         for form in FORMATS[1:]:
-            for kind, wrong in (("int", -1), ("uint", 2**32 - 1), ("uint", 4), ("int", 4)):
-                element = faces([([0, 1, 2],), ([0, 1, wrong],)], kinds=("uchar", kind))
-                self.read(make(form, [vertices(), element]), refused=["face 1:", f"not {wrong}"])
+            for kind, invalid in (("int", -1), ("uint", 2**32 - 1), ("uint", 4), ("int", 4)):
+                element = faces([([0, 1, 2],), ([0, 1, invalid],)], kinds=("uchar", kind))
+                self.read(make(form, [vertices(), element]), refused=["face 1:", f"not {invalid}"])
 
     def test_vtk(self):
         """Files of VTK's writer."""
@@ -170,10 +170,10 @@ class PLY(unittest.TestCase):
         for form in FORMATS:
             mesh = self.read(make(form, [vertices(), strips]))
             self.assertEqual(self.corners(mesh.GetPolys()), [0, 1, 2, 2, 1, 3])
-        for wrong in (4, -2):
-            rows[0][0][1] = wrong
+        for invalid in (4, -2):
+            rows[0][0][1] = invalid
             self.read(make("ascii", [vertices(), strips]),
-                      refused=["tristrips 0", f"from 0 to 3, or -1, not {wrong}"])  # fmt: skip
+                      refused=["tristrips 0", f"from 0 to 3, or -1, not {invalid}"])  # fmt: skip
 
     def test_edges(self):
         """Lines, where there are no faces."""

@@ -131,10 +131,10 @@ void TestLevels()
   RELIEVO_CHECK_NEAR(255. * scene.Middle().x, 50., 0.01, "and levels the rough ones");
   {
     ExpectMessage expect("half of the level before");
-    vtkNew<vtkMultiBlockDataSet> wrong;
-    wrong->SetBlock(0, Grey(8, 8, 6, 200.));
-    wrong->SetBlock(1, Grey(3, 3, 6, 100.));
-    scene.Environment->SetLevels(wrong);
+    vtkNew<vtkMultiBlockDataSet> invalid;
+    invalid->SetBlock(0, Grey(8, 8, 6, 200.));
+    invalid->SetBlock(1, Grey(3, 3, 6, 100.));
+    scene.Environment->SetLevels(invalid);
     RELIEVO_CHECK_NEAR(255. * scene.Middle().x, 250., 0.01, "wrong levels: sharp");
     RELIEVO_CHECK(expect.Count() == 1);
   }

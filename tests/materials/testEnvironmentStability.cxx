@@ -113,7 +113,7 @@ void TestSun()
   };
   int bright = 0;
   int dark = 0;
-  int wrong = 0;
+  int mismatches = 0;
   for (int y = 0; y < photo.Height; ++y)
   {
     for (int x = 0; x < photo.Width; ++x)
@@ -133,12 +133,12 @@ void TestSun()
       const bool plain = value > 24.5 && value < 26.5;
       bright += plain ? 0 : 1;
       dark += value < 24.5 ? 1 : 0;
-      wrong += !plain && away > reach ? 1 : 0;
+      mismatches += !plain && away > reach ? 1 : 0;
     }
   }
   RELIEVO_CHECK_THAT(bright > 3 && bright < 600, "the sun is seen: " + std::to_string(bright));
   RELIEVO_CHECK_THAT(dark == 0, "NaN would be dark: " + std::to_string(dark));
-  RELIEVO_CHECK_THAT(wrong == 0, "fireflies: " + std::to_string(wrong));
+  RELIEVO_CHECK_THAT(mismatches == 0, "fireflies: " + std::to_string(mismatches));
 
   vtkNew<vtkRelievoEnvironmentPrefilter> levels;
   levels->SetInputData(scene.Environment->GetImage());

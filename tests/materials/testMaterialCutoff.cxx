@@ -112,7 +112,7 @@ void TestHoles(bool pbr)
   vtkPointData* layers = source->GetOutput()->GetPointData();
   vtkDataArray* actor = layers->GetArray("actor");
   vtkDataArray* albedo = layers->GetArray("albedo");
-  int wrong = 0;
+  int mismatches = 0;
   int there = 0;
   int translucent = 0;
   for (int y = 0; y < Side; ++y)
@@ -131,11 +131,11 @@ void TestHoles(bool pbr)
       {
         sure = sure && opaque(x + i % 3 - 1, y + i / 3 - 1) == opaque(x, y);
       }
-      wrong += sure && seen != opaque(x, y) ? 1 : 0;
+      mismatches += sure && seen != opaque(x, y) ? 1 : 0;
     }
   }
   const std::string name = pbr ? "PBR" : "Phong";
-  RELIEVO_CHECK_AT_MOST(wrong, 0, name + ": pixels that are wrong, an outline's apart");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, name + ": pixels that are wrong, an outline's apart");
   RELIEVO_CHECK_AT_MOST(translucent, 0, name + ": pixels that are not opaque");
   RELIEVO_CHECK_THAT(there > Side * Side / 5 && there < Side * Side * 4 / 5, name + ": share");
   material->Detach(square);

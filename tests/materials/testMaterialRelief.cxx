@@ -101,11 +101,11 @@ void TestMethods()
   {
     scene.Material->SetReliefMethod(method);
     const ReliefErrors errors = Measure(renderer, Waves);
-    const double wrong = errors.Depth * (1. - errors.Missed) + 0.05 * errors.Missed;
+    const double error = errors.Depth * (1. - errors.Missed) + 0.05 * errors.Missed;
     std::cout << "method " << method << ": mean " << errors.Depth << ", missed " << errors.Missed
               << "\n";
-    RELIEVO_CHECK_THAT(wrong < before, "method " + std::to_string(method) + " is better");
-    before = wrong;
+    RELIEVO_CHECK_THAT(error < before, "method " + std::to_string(method) + " is better");
+    before = error;
   }
 }
 
@@ -157,7 +157,7 @@ void TestSelfShadow()
     }
     return false;
   };
-  int wrong = 0;
+  int mismatches = 0;
   int counted = 0;
   int dark = 0;
   for (int y = 2; y < 300; y += 5)
@@ -187,12 +187,13 @@ void TestSelfShadow()
       }
       ++counted;
       dark += blocked ? 1 : 0;
-      wrong += (pixels->GetComponent(y * 400 + x, 0) < 3.) != blocked ? 1 : 0;
+      mismatches += (pixels->GetComponent(y * 400 + x, 0) < 3.) != blocked ? 1 : 0;
     }
   }
-  std::cout << "self-shadow: " << counted << " rays, " << dark << " dark, " << wrong << " wrong\n";
+  std::cout << "self-shadow: " << counted << " rays, " << dark << " dark, " << mismatches
+            << " wrong\n";
   RELIEVO_CHECK_THAT(counted > 500 && dark > counted / 20, "self-shadow: there is some");
-  RELIEVO_CHECK_AT_MOST(static_cast<double>(wrong) / counted, 0.01, "self-shadow: wrong");
+  RELIEVO_CHECK_AT_MOST(static_cast<double>(mismatches) / counted, 0.01, "self-shadow: wrong");
   scene.Material->SelfShadowOff();
   scene.Stage.Window->Render();
   vtkNew<vtkUnsignedCharArray> without;

@@ -410,7 +410,7 @@ void TestCasts()
   const auto check = [&scene, renderer](const std::string& what) {
     const Layers layers(renderer, { "shadow_0", "position" });
     int dark = 0;
-    int wrong = 0;
+    int mismatches = 0;
     for (int y = 0; y < Height; ++y)
     {
       for (int x = 0; x < Width; ++x)
@@ -424,12 +424,12 @@ void TestCasts()
         {
           const bool blocked = along < 1. && std::abs(place.y) < 1.;
           dark += blocked ? 1 : 0;
-          wrong += (layers.Value("shadow_0", x, y) < 0.5) != blocked ? 1 : 0;
+          mismatches += (layers.Value("shadow_0", x, y) < 0.5) != blocked ? 1 : 0;
         }
       }
     }
     RELIEVO_CHECK_THAT(dark > 100, what + ": pixels in the mesh's shadow");
-    RELIEVO_CHECK_AT_MOST(wrong, 0, what + ": pixels of the ground in a wrong light");
+    RELIEVO_CHECK_AT_MOST(mismatches, 0, what + ": pixels of the ground in a wrong light");
   };
   check("the first frame");
   scene.Material->SetAlphaCutoff(0.1);

@@ -172,15 +172,15 @@ void CheckActive(vtkPolyData* mesh, const char* name)
     return;
   }
   RELIEVO_CHECK(vtkFloatArray::SafeDownCast(active) != nullptr); // VTK's mapper takes no other
-  int wrong = 0;
+  int mismatches = 0;
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
-      wrong += active->GetComponent(i, c) == all->GetComponent(i, c) ? 0 : 1;
+      mismatches += active->GetComponent(i, c) == all->GetComponent(i, c) ? 0 : 1;
     }
   }
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "active tangents that are not those of the array");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "active tangents that are not those of the array");
 }
 
 void TestMaterial()

@@ -245,15 +245,15 @@ void TestSame()
   scene.Set(settings);
   scene.Instanced->SetCellSize(0.25, 0.2, 0.3);
   RELIEVO_CHECK(scene.Instanced->GetMTime() == before);
-  for (const double wrong : { double(NAN), double(INFINITY) })
+  for (const double invalid : { double(NAN), double(INFINITY) })
   {
     ExpectMessage expect("not finite");
-    scene.Instanced->SetTransition(wrong);
+    scene.Instanced->SetTransition(invalid);
     scene.Instanced->SetRestSize(NAN);
     scene.Instanced->SetGrowth(NAN);
-    scene.Instanced->SetRepeller(wrong, 0., 0.);
-    scene.Instanced->SetRepellerRadius(wrong);
-    scene.Instanced->SetCellSize(0.25, wrong, 0.3);
+    scene.Instanced->SetRepeller(invalid, 0., 0.);
+    scene.Instanced->SetRepellerRadius(invalid);
+    scene.Instanced->SetCellSize(0.25, invalid, 0.3);
     RELIEVO_CHECK(expect.Count() == 6);
   }
   RELIEVO_CHECK(scene.Instanced->GetMTime() == before);

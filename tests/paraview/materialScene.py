@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A white square, seen straight from above in the light of one lamp at the camera; and maps.
 
-With the words `restore FILE PICTURE` the script loads a state and draws it; with `wrong` it
-sets wrong files and values and prints the results; with `ranks FOLDER NAMES [PORT]` it draws
+With the words `restore FILE PICTURE` the script loads a state and draws it; with `invalid` it
+sets invalid files and values and prints the results; with `ranks FOLDER NAMES [PORT]` it draws
 parts of a square that lie on the ranks, or with a server, and for the name `client` as its
 client.
 """
@@ -113,7 +113,7 @@ def say(*words):
 
 
 # Invalid files and values, and the message for each.
-def wrong():
+def invalid_values():
     """(property, value, words of the message)."""
     text = pv.OUTPUT / "no image.png"
     text.write_text("no image")
@@ -138,13 +138,13 @@ def wrong():
     )
 
 
-def set_wrong():
+def set_invalid():
     """Sets and resets each; the output of the process is the result."""
     scene = Scene()
     scene.shown.RelievoMaterial = 1
     scene.view.RelievoSkybox = 1
     _, first = scene.middle()
-    for number, (name, value, _) in enumerate(wrong()):
+    for number, (name, value, _) in enumerate(invalid_values()):
         say(f"case {number} {name}")
         owner = scene.view if "Environment" in name else scene.shown
         before = getattr(owner, name)
@@ -235,7 +235,7 @@ def draw_steps(scene, folder, name):
 
 if __name__ == "__main__":
     pv.load()
-    {"restore": pv.restore, "wrong": set_wrong, "ranks": draw_ranks}[sys.argv[1]](*sys.argv[2:])
+    {"restore": pv.restore, "invalid": set_invalid, "ranks": draw_ranks}[sys.argv[1]](*sys.argv[2:])
     if sys.argv[1] == "ranks":
         pv.clear()  # no sys.exit() here: the other ranks would not hear of it
     else:

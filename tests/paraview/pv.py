@@ -169,14 +169,14 @@ class Test(unittest.TestCase):
     def near(self, first, second, what, level=1, share=0.001):
         """No more than a share of the pixels differ by more than a number of grey levels."""
         self.assertEqual(first.shape, second.shape, f"{what}: sizes")
-        wrong = unlike(first, second, level)
-        if wrong.mean() > share:
+        mismatches = unlike(first, second, level)
+        if mismatches.mean() > share:
             difference = numpy.abs(first.astype(int) - second.astype(int))
             shown = numpy.clip(difference * 10, 0, 255)
             self.leave(what, first=first, second=second, differs=shown)
             self.fail(
-                f"{what}: {wrong.sum()} of {wrong.size} pixels differ by more than {level},"
-                f" {share:g} of them may; at most by {difference.max()},"
+                f"{what}: {mismatches.sum()} of {mismatches.size} pixels differ by more than"
+                f" {level}, {share:g} of them may; at most by {difference.max()},"
                 f" mean {difference.mean():.4f}"
             )
 

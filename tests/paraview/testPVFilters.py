@@ -546,7 +546,7 @@ output.VTKObject.SetPolys(cells)
 
     def test_messages_name_no_code(self):
         """Errors are described in the words of menus and panels."""
-        said = pv.run(__file__, "wrong")
+        said = pv.run(__file__, "invalid")
         parts = said.split("case ")[1:]
         self.assertEqual(len(parts), 14, said)
         for part in parts:
@@ -576,7 +576,7 @@ def apply(source):
     simple.Render()
 
 
-def wrong():
+def refuse_inputs():
     """Each of these filters with an input that it refuses."""
     pv.load()
     image, ball = simple.Wavelet(), simple.Sphere()
@@ -611,8 +611,8 @@ def wrong():
     apply(simple.Caves(MemoryLimit=1000.0))
 
 
-if sys.argv[1:2] == ["wrong"]:
-    wrong()
+if sys.argv[1:2] == ["invalid"]:
+    refuse_inputs()
     pv.leave()
 elif __name__ == "__main__":
     pv.main()

@@ -106,9 +106,9 @@ class Layers(judge.StageTest):
         # The sun is the view's last light, after the kit's five.
         verdicts = self.scene.verdicts()
         sure = (verdicts == stage.LIT) | (verdicts == stage.DARK)
-        wrong = (found["shadow_5"] > 0.5) != (verdicts == stage.LIT)
+        mismatches = (found["shadow_5"] > 0.5) != (verdicts == stage.LIT)
         facing = true["normal"] @ stage.sun() > 0.05
-        self.assertLess((wrong & sure & facing).sum() / (sure & facing).sum(), 2e-3)
+        self.assertLess((mismatches & sure & facing).sum() / (sure & facing).sum(), 2e-3)
         display = srgb.encoded(found["color"][..., :3].astype(float))
         self.near(numpy.rint(display * 255), pv.picture(self.view), "colour", level=0, share=0.0)
 

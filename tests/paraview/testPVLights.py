@@ -232,8 +232,8 @@ class Lights(judge.StageTest):
         # Surfaces turned away are not blocked by others: their darkness is not only the shadow's.
         for verdict, level in ((stage.DARK, 0), (stage.LIT, 255)):
             there = verdicts == verdict
-            wrong = unlike_color(shown, (level, level, level))[there]
-            self.assertLess(wrong.mean(), 0.01, f"where the sun's light is {level}")
+            mismatches = unlike_color(shown, (level, level, level))[there]
+            self.assertLess(mismatches.mean(), 0.01, f"where the sun's light is {level}")
 
     def check_not_in_its_own_shadow(self, source, **look):
         """Without anything above it, the surface is lit by the sun and casts."""

@@ -225,11 +225,11 @@ class Materials(pv.PluginTest):
             self.near(pv.picture(self.view), own, f"{mapping}, flat", level=3)
             simple.Delete(shown)
 
-    def test_wrong_files_and_values(self):
+    def test_invalid_files_and_values(self):
         """One message each with the value and the expectation; the picture is unchanged."""
-        said = pv.run(SCENE, "wrong")
+        said = pv.run(SCENE, "invalid")
         cases = said.split("case ")[1:]
-        expected = [words for _, _, words in materialScene.wrong()]
+        expected = [words for _, _, words in materialScene.invalid_values()]
         expected.append("the filter Texture Coordinates (menu Filters, Relievo) makes some")
         self.assertEqual(len(cases), len(expected), said)
         for words, text in zip(expected, cases):

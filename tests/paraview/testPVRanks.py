@@ -44,9 +44,9 @@ class Ranks(pv.Test):
         """
         two, said = draw(2)
         # Layers of volumes, of which each rank has a part, are not merged.
-        wrong = pv.messages(said)
-        self.assertEqual(len(wrong), 1, wrong)
-        self.assertIn("'volume_depth' is known only for a whole volume", wrong[0])
+        faults = pv.messages(said)
+        self.assertEqual(len(faults), 1, faults)
+        self.assertIn("'volume_depth' is known only for a whole volume", faults[0])
         self.differ(two["moved-camera"], two["exact"], "exact", share=0.0002)
         self.assertIn("merged over 2 processes", said)
         # Rays of the exact steps pass the other ranks' casters.

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Properties by script: trace, state files in fresh processes, undo, wrong values, no plugin.
+"""Properties by script: trace, state files in fresh processes, undo, invalid values, no plugin.
 
 With the words `restore plugin|none FILE PICTURE` the script loads a state and draws it; with
-`wrong` it sets wrong values and prints the results.
+`invalid` it sets invalid values and prints the results.
 """
 
 import json
@@ -55,7 +55,7 @@ PROPERTIES = {
 }
 
 # Wrong values, and the text of the warning or error; a value that Python refuses has an exception.
-WRONG = (
+INVALID = (
     ("RelievoShadows", 5, "expected 0 to 1: 1 is taken"),
     ("RelievoShadowMapSize", 3, "expected 16 to 16384: 16 is taken"),
     ("RelievoShadowMapSize", 2**31 - 1, "expected 16 to 16384: 16384 is taken"),
@@ -100,21 +100,21 @@ def read(view, name):
     return [held.GetElement(i) for i in range(held.GetNumberOfElements())]
 
 
-def set_wrong_values():
-    """Sets and resets each wrong value; the output of the process is the result."""
+def set_invalid_values():
+    """Sets and resets each invalid value; the output of the process is the result."""
     pv.load()
     scene = stage.Stage((120, 80))
     scene.sun()
     first = pv.picture(scene.view)
-    for number, (name, wrong, _) in enumerate(WRONG):
+    for number, (name, invalid, _) in enumerate(INVALID):
         # ParaView's messages go to the same place as these lines, in order.
         print(f"case {number} {name}", file=sys.stderr, flush=True)
         before = value(scene.view, name)
         try:
-            setattr(scene.view, name, wrong)
+            setattr(scene.view, name, invalid)
         except ValueError as refused:
             print("ValueError", refused, file=sys.stderr, flush=True)
-        if name != "RelievoShadowMapSize" or wrong < 16:
+        if name != "RelievoShadowMapSize" or invalid < 16:
             shown = pv.picture(scene.view)
             if name == "RelievoDisplayLayer":
                 print("kept", (shown == first).all(), file=sys.stderr, flush=True)
@@ -252,8 +252,8 @@ class Scripting(judge.StageTest):
             stack.redo()
         self.same(pv.picture(self.view), changed, "all done again")
 
-    def test_wrong_values_and_a_plugin_that_is_not_there(self):
-        said = pv.run(__file__, "wrong", tool="pvbatch")
+    def test_invalid_values_and_a_plugin_that_is_not_there(self):
+        said = pv.run(__file__, "invalid", tool="pvbatch")
         cases, _, rest = said.partition("strength of a light")
         light, _, missing = rest.partition("no plugin")
         self.assertEqual(
@@ -261,16 +261,16 @@ class Scripting(judge.StageTest):
         self.assertIn("reads [1.0]", light)
         self.assertIn("RuntimeError Problem loading plugin /nowhere/Relievo.so", missing)
         cases = cases.split("case ")[1:]
-        self.assertEqual(len(cases), len(WRONG), said)
-        for (name, wrong, words), text in zip(WRONG, cases):
-            self.assertIn(words, text, f"{name} = {wrong}")
-            self.assertEqual(text.count(words), 1, f"{name} = {wrong} is told once: {text}")
-            self.assertIn("same True", text, f"{name} = {wrong}: the picture afterwards")
+        self.assertEqual(len(cases), len(INVALID), said)
+        for (name, invalid, words), text in zip(INVALID, cases):
+            self.assertIn(words, text, f"{name} = {invalid}")
+            self.assertEqual(text.count(words), 1, f"{name} = {invalid} is told once: {text}")
+            self.assertIn("same True", text, f"{name} = {invalid}: the picture afterwards")
             taken = re.search(r"(\S+) is taken", words)
             if taken:  # the property has the used value
                 held = json.loads(re.search(r"reads (\[.*\])", text).group(1))
-                self.assertIn(float(taken.group(1)), held, f"{name} = {wrong}")
-            self.assertNotIn("kept False", text, f"{name} = {wrong}: the picture meanwhile")
+                self.assertIn(float(taken.group(1)), held, f"{name} = {invalid}")
+            self.assertNotIn("kept False", text, f"{name} = {invalid}: the picture meanwhile")
 
     def test_the_frame_report(self):
         def report():
@@ -299,8 +299,8 @@ if sys.argv[1:2] == ["restore"]:
     shown = pv.restore(*sys.argv[3:])
     print("restored", [name for name in shown.ListProperties() if "Relievo" in name])
     pv.leave()
-elif sys.argv[1:2] == ["wrong"]:
-    set_wrong_values()
+elif sys.argv[1:2] == ["invalid"]:
+    set_invalid_values()
     pv.leave()
 elif __name__ == "__main__":
     pv.main()

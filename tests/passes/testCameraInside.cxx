@@ -109,15 +109,15 @@ void Check(ShadowStage& stage, const EmbreeScene& truth, const std::string& what
     shadows->SetMethod(
       exact ? vtkRelievoShadowStage::METHOD_EXACT : vtkRelievoShadowStage::METHOD_MAP);
     const auto image = relievoTest::CaptureShadow(stage, 0);
-    const auto wrong = relievoTest::CompareShadow(shadow,
+    const auto verdicts = relievoTest::CompareShadow(shadow,
       vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("shadow_0"))->GetPointer(0));
     const std::string which = what + (exact ? ", exact" : ", map");
-    std::cout << which << ": " << wrong.ToString() << "\n";
-    RELIEVO_CHECK_THAT(static_cast<double>(wrong.Compared) > 0.26 * pixels &&
-        static_cast<double>(wrong.Dark) > 0.0065 * pixels,
+    std::cout << which << ": " << verdicts.ToString() << "\n";
+    RELIEVO_CHECK_THAT(static_cast<double>(verdicts.Compared) > 0.26 * pixels &&
+        static_cast<double>(verdicts.Dark) > 0.0065 * pixels,
       which + ": too little");
     RELIEVO_CHECK_AT_MOST(
-      wrong.Wrong(), exact ? limits.Exact : limits.Map, which + ": share of wrong verdicts");
+      verdicts.Wrong(), exact ? limits.Exact : limits.Map, which + ": share of wrong verdicts");
   }
   // The picture has walls wherever the truth has.
   stage.GetFrame()->ShadowsOn();

@@ -155,17 +155,17 @@ void TestAgainstDouble()
       const double shift[3] = { i & 1 ? by : -by, i & 2 ? by : -by, i & 4 ? by : -by };
       computed.push_back(Computed(data, six, cell, shift));
     }
-    int wrong = 0;
+    int mismatches = 0;
     int decided = 0;
     for (std::size_t c = 0; c < seen.size(); ++c)
     {
       const bool flips = std::any_of(computed.begin(), computed.end(),
         [&](const Cells& each) { return each[c] != computed[0][c]; });
       decided += flips ? 0 : 1;
-      wrong += !flips && seen[c] != computed[0][c] ? 1 : 0;
+      mismatches += !flips && seen[c] != computed[0][c] ? 1 : 0;
     }
     RELIEVO_CHECK(seen.size() == computed[0].size());
-    RELIEVO_CHECK_AT_MOST(wrong, 0., six ? "cells, six views" : "cells, two views");
+    RELIEVO_CHECK_AT_MOST(mismatches, 0., six ? "cells, six views" : "cells, two views");
     RELIEVO_CHECK(decided > 0.99 * static_cast<double>(seen.size()));
     RELIEVO_CHECK(std::count(seen.begin(), seen.end(), 1) > 10000);
   }

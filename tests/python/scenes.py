@@ -93,9 +93,9 @@ class PointsTest(unittest.TestCase):
 
     def check_refusals(self, add, first, data, table):
         """Wrong arguments are named, and change nothing; `first` is the name of the data's."""
-        for wrong, says in table:
+        for bad, says in table:
             with self.assertRaisesRegex(ValueError, f"{add.__name__}: {says}"):
-                add(self.renderer, **{first: data, **wrong})
+                add(self.renderer, **{first: data, **bad})
         self.assertIsNone(self.renderer.GetPass())
         with self.assertRaises(ValueError):
             add(None, data)

@@ -119,12 +119,12 @@ def crashes(kind, text):
 
 class Wrapped(unittest.TestCase):
     def check(self, text, least):
-        wrong, count = [], 0
+        faults, count = [], 0
         for kind in classes():
             found, tried = crashes(kind, text)
-            wrong += found
+            faults += found
             count += tried
-        self.assertEqual(wrong, [])
+        self.assertEqual(faults, [])
         self.assertGreater(count, least)
 
     def test_none(self):

@@ -524,7 +524,7 @@ class Errors(unittest.TestCase):
         with mock.patch("relievo._captures.capture.rays", wraps=relievo.rays) as made:
             relievo.capture(other, "depth", camera=sensors[0])
         made.assert_called_once()
-        for says, *wrong in (
+        for says, *invalid in (
             ("cameras: got \\[\\]", []),
             ("cameras: got None", None),
             ("cameras: got", [cameras[0], sensors[0]]),
@@ -532,7 +532,7 @@ class Errors(unittest.TestCase):
             ("expected models of one size", sensors[:1], "depth", (24, 17)),
         ):
             with self.subTest(says), self.assertRaisesRegex(ValueError, says):
-                relievo.capture_many(self.renderer, *wrong)
+                relievo.capture_many(self.renderer, *invalid)
 
     def test_many_cameras_together(self):
         """Views of one frame equal single captures of props that VTK's cullers leave out, of lines

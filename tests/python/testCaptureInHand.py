@@ -103,9 +103,9 @@ class InHand(unittest.TestCase):
         numpy.testing.assert_array_equal(*same)
 
     def test_refused(self):
-        for wrong in (None, 7, "mesh.vtp", types.SimpleNamespace(renderer=3), vtkTable()):
+        for invalid in (None, 7, "mesh.vtp", types.SimpleNamespace(renderer=3), vtkTable()):
             with self.assertRaisesRegex(ValueError, "expected a vtkRenderer, something with"):
-                relievo.capture(wrong)
+                relievo.capture(invalid)
         with self.assertRaisesRegex(ValueError, "no cells"):
             relievo.capture(vtkPolyData())
 

@@ -258,10 +258,10 @@ class Datasets(unittest.TestCase):
             self.assertIn(depth.dtype, (numpy.int32, numpy.uint16))  # as Pillow reads 16 bits
             numpy.testing.assert_array_equal(depth > 0, visible.any(axis=0))
             seen = visible.any(axis=0) & ~truth.near
-            wrong = numpy.abs(depth[seen] * about["depth_scale"] / 250 - truth.depth[seen])
+            errors = numpy.abs(depth[seen] * about["depth_scale"] / 250 - truth.depth[seen])
             # Half a step, of a float.
             allowed = 0.5 * about["depth_scale"] / 250 + 1e-6 * truth.depth[seen]
-            self.assertLessEqual((wrong / allowed).max(), 1)
+            self.assertLessEqual((errors / allowed).max(), 1)
             self.assertGreater(depth.max(), 30000)
             for i, (pose, info) in enumerate(zip(poses[str(view)], infos[str(view)])):
                 self.assertEqual(pose["obj_id"], i + 1)
@@ -340,8 +340,8 @@ class Datasets(unittest.TestCase):
         self.assertEqual(found["depth"].dtype, numpy.float32)
         numpy.testing.assert_array_equal(numpy.isfinite(found["depth"]), visible.any(axis=0))
         sure = ~truth.near & numpy.isfinite(truth.depth)
-        wrong = numpy.abs(found["depth"][sure] / truth.depth[sure] - 1)
-        self.assertLess(wrong.max(), 1e-6)
+        errors = numpy.abs(found["depth"][sure] / truth.depth[sure] - 1)
+        self.assertLess(errors.max(), 1e-6)
         numpy.testing.assert_array_equal(found["object"] - 1, numpy.where(
             visible.any(axis=0), visible.argmax(axis=0), -1))  # fmt: skip
         # A position is projected to its pixel by hand.
@@ -592,8 +592,8 @@ class Datasets(unittest.TestCase):
             ({"format": "coco", "validation": 1.5}, "validation: got 1.5, expected .*0 to 1"),
             ({"format": "coco", "categories": {"a": ["mug*"]}},
              r"category a: no object is called mug\*; expected a name or pattern of actor_0"),
-            *(({"format": "coco", "categories": wrong}, "categories: got .*expected a dictionary")
-              for wrong in (["a"], {"a": 5}, {"a": [5]}, {5: ["a"]}, {"a": []})),
+            *(({"format": "coco", "categories": invalid}, "categories: got .*expected a dictionary")
+              for invalid in (["a"], {"a": 5}, {"a": [5]}, {5: ["a"]}, {"a": []})),
             ({"format": "yolo", "categories": {"": ["ball"]}}, "category: got '' for the objects"),
             *(({"format": "yolo", "validation": share}, f"validation: got {share}, which is "
                f"{count} of 6 views") for share, count in ((0.1, 0), (1, 6))),

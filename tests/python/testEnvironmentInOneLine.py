@@ -284,7 +284,7 @@ class Environment(unittest.TestCase):
     def test_refusals(self):
         image = relievo.to_image(four_sides())
         (self.folder / "no.png").write_bytes(b"no picture")
-        for wrong, kind, says in (
+        for invalid, kind, says in (
             ((self.renderer, self.folder / "none.exr"), FileNotFoundError, "none.exr"),
             ((self.renderer, self.folder / "no.png"), ValueError, "expected an image"),
             ((self.renderer, self.folder), IsADirectoryError, ""),
@@ -293,7 +293,7 @@ class Environment(unittest.TestCase):
             ((self.renderer, image, "east"), ValueError, "rotation: got 'east'"),
         ):
             with self.assertRaisesRegex(kind, says):
-                relievo.environment(*wrong)
+                relievo.environment(*invalid)
         for name, value in (("up", "w"), ("intensity", -1), ("reflectivity", 1.5),
                             ("roughness", float("nan"))):  # fmt: skip
             with self.assertRaisesRegex(ValueError, name):

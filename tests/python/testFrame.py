@@ -67,9 +67,9 @@ class Stages(unittest.TestCase):
 
     def test_wrong_values_change_nothing(self):
         biases = (None, {}, object(), 1j, [[1]], float("nan"), [1, 2, 3])
-        for wrong in [*({"bias": each} for each in biases), {"method": "magic"}, {"nosuch": 1}]:
-            with self.assertRaisesRegex(ValueError, f"stage: .*{next(iter(wrong))}"):
-                relievo.stage(self.renderer, "shadows", **wrong)
+        for invalid in [*({"bias": each} for each in biases), {"method": "magic"}, {"nosuch": 1}]:
+            with self.assertRaisesRegex(ValueError, f"stage: .*{next(iter(invalid))}"):
+                relievo.stage(self.renderer, "shadows", **invalid)
             self.assertIsNone(self.renderer.GetPass(), "nothing was attached")
         for name in ("bogus", "", None, 3):
             with self.assertRaisesRegex(ValueError, "expected one of .*shadows"):
@@ -77,9 +77,9 @@ class Stages(unittest.TestCase):
             self.assertIsNone(self.renderer.GetPass(), "nothing was attached")
         shadows = relievo.stage(self.renderer, "shadows", bias=3, strength=0.5)
         display = relievo.stage(self.renderer, "display")
-        for wrong in (None, "x", 200):
+        for invalid in (None, "x", 200):
             with self.assertRaises(ValueError):
-                relievo.stage(self.renderer, "shadows", on=False, strength=0.25, bias=wrong)
+                relievo.stage(self.renderer, "shadows", on=False, strength=0.25, bias=invalid)
             self.assertEqual([shadows.GetParameter(each) for each in ("strength", "bias")],
                              ["0.5", "3"])
             self.assertTrue(shadows.GetEnabled())
@@ -206,11 +206,11 @@ class Attach(unittest.TestCase):
     def test_a_name_that_is_no_layer(self):
         frame = relievo.attach(self.renderer)
         for give in (frame.RequestLayer, frame.SetDisplayLayer):
-            for wrong in ("bogus", "point:bogus", "bogus:Normals", "cell:Normals", "shadow_", "",
+            for invalid in ("bogus", "point:bogus", "bogus:Normals", "cell:Normals", "shadow_", "",
                           3):  # fmt: skip
                 with self.assertRaises(ValueError) as caught:
-                    give(wrong)
-                self.assertIn(f"got {wrong!r}", str(caught.exception))
+                    give(invalid)
+                self.assertIn(f"got {invalid!r}", str(caught.exception))
         for array in ("Normals", "point:Normals"):  # of the sphere
             frame.RequestLayer(array)
             frame.SetDisplayLayer(array)
@@ -304,10 +304,10 @@ class Attach(unittest.TestCase):
         self.assertTrue(numpy.isfinite(depth).any())
 
     def test_errors(self):
-        for wrong in (None, "renderer", self.window):
+        for invalid in (None, "renderer", self.window):
             for function in (relievo.attach, relievo.detach, relievo.report):
                 with self.assertRaises(ValueError) as caught:
-                    function(wrong)
+                    function(invalid)
                 self.assertIn("got", str(caught.exception))
 
     def test_report(self):

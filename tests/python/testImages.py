@@ -134,7 +134,7 @@ class Rows(unittest.TestCase):
 
     def test_refusals(self):
         flat = numpy.ones((2, 3))
-        for wrong, says in (
+        for invalid, says in (
             (numpy.ones(3), r"got shape \(3,\)"),
             (numpy.ones((2, 0)), "shape"),
             (numpy.ones((2, 2, 2, 2)), "shape"),
@@ -145,7 +145,7 @@ class Rows(unittest.TestCase):
             ({"": flat}, "name"),
         ):
             with self.assertRaisesRegex(ValueError, says):
-                relievo.to_image(wrong)
+                relievo.to_image(invalid)
         solid = vtkImageData()
         solid.SetDimensions(2, 2, 2)
         with self.assertRaisesRegex(ValueError, "no scalars"):
@@ -216,9 +216,9 @@ class Layer(unittest.TestCase):
             relievo.layer(self.image, "two")
         self.assertIn("'two'", str(caught.exception))
         self.assertIn("one, three", str(caught.exception))
-        for wrong in (None, "image", numpy.zeros(3)):
+        for invalid in (None, "image", numpy.zeros(3)):
             with self.assertRaises(ValueError):
-                relievo.layer(wrong, "one")
+                relievo.layer(invalid, "one")
 
 
 class RoundTrip(FolderTest):

@@ -76,8 +76,8 @@ class Settings(unittest.TestCase):
                 self.assertEqual(made.TrySetParameter(name, word), "", name)
                 self.assertEqual(got(), float(word), name)
         if "a text" not in help_:
-            wrong = made.TrySetParameter(name, "nonsense")
-            self.assertIn("'nonsense' was given, expected", wrong, name)
+            fault = made.TrySetParameter(name, "nonsense")
+            self.assertIn("'nonsense' was given, expected", fault, name)
         self.assertEqual(made.TrySetParameter(name, made.GetParameterDefault(name)), "", name)
         self.assertEqual(made.GetParameter(name), made.GetParameterDefault(name), name)
 

@@ -175,7 +175,7 @@ class Rays(unittest.TestCase):
 
     def test_refusals(self):
         rays = relievo.rays(vtkSphereSource())
-        for words, wrong in (
+        for words, invalid in (
             ("origins: got an array of shape \\(2,\\)", ([1, 2], [0, 0, 1])),
             ("directions: got an array of <U1", ([1, 2, 3], ["a", "b", "c"])),
             ("got 2 and 3, expected as many", (numpy.ones((2, 3)), numpy.ones((3, 3)))),
@@ -183,7 +183,7 @@ class Rays(unittest.TestCase):
             ("got 0.0 and \\[1, 9\\], expected a number each", ([0, 0, 0], [0, 0, 1], 0.0, [1, 9])),
         ):
             with self.assertRaisesRegex(ValueError, words):
-                rays.nearest(*wrong)
+                rays.nearest(*invalid)
         for words, things in (
             ("got nothing", ()),
             ("got 3", (3,)),

@@ -286,12 +286,12 @@ class Scene(unittest.TestCase):
                     resume=True)  # fmt: skip
         self.assertEqual((self.folder / "m1.png").read_bytes(), frames[1])
         alone = [(1, views[0])]
-        for wrong in ({"turntable": 1}, {"turntable": 3, "fps": 2}, {"camera_path": alone}):
+        for invalid in ({"turntable": 1}, {"turntable": 3, "fps": 2}, {"camera_path": alone}):
             with self.assertRaises(ValueError):
-                scene.movie(png=self.path("w%d.png"), **wrong)
-        for wrong in (alone, [(0, 5)], [(0,)], 3, []):
+                scene.movie(png=self.path("w%d.png"), **invalid)
+        for invalid in (alone, [(0, 5)], [(0,)], 3, []):
             with self.assertRaisesRegex(ValueError, "^camera_path: .*expected a path or at least"):
-                scene.movie(png=self.path("w%d.png"), camera_path=wrong)
+                scene.movie(png=self.path("w%d.png"), camera_path=invalid)
         with self.assertRaisesRegex(ValueError, "movie"):
             scene.set(turntable=3)
 
@@ -1267,7 +1267,7 @@ class Compared(unittest.TestCase):
         picture = numpy.zeros((4, 4, 3), numpy.uint8)
         damaged = self.folder / "damaged.exr"
         damaged.write_bytes(b"v/1\x01 not an image")
-        for error, words, wrong in (
+        for error, words, invalid in (
             (FileNotFoundError, "none.exr", lambda: relievo.compare("none.exr", picture)),
             (ValueError, "damaged.exr", lambda: relievo.compare(picture, damaged)),
             (ValueError, "levels: got -1", lambda: relievo.compare(picture, picture, levels=-1)),
@@ -1277,7 +1277,7 @@ class Compared(unittest.TestCase):
             (ValueError, "ends in .exr", lambda: relievo.write_baseline("a.png", picture)),
         ):
             with self.subTest(words), self.assertRaisesRegex(error, words):
-                wrong()
+                invalid()
 
 
 if __name__ == "__main__":

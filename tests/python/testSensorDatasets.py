@@ -86,10 +86,10 @@ def straighten(lens, coefficients, pixels):
 
     step = 1e-6
     for _ in range(30):
-        wrong = find(state) - pixels
+        errors = find(state) - pixels
         slopes = numpy.stack([(find(state + offset) - find(state - offset)) / (2 * step)
                               for offset in ((step, 0), (0, step))], -1)  # fmt: skip
-        state -= numpy.linalg.solve(slopes, wrong[..., None])[..., 0]
+        state -= numpy.linalg.solve(slopes, errors[..., None])[..., 0]
     assert numpy.abs(find(state) - pixels).max() < 1e-9
     return get_rays(state)
 
@@ -180,11 +180,11 @@ class SensorDatasets(unittest.TestCase):
                 shown = found["color"][inner(visible)].astype(int)
                 self.assertEqual(len(shown) > 100, i < 3)  # the last one is in the ball
                 if len(shown):
-                    wrong = numpy.abs(shown - 255 * numpy.array(colors[i]))
-                    self.assertLessEqual(wrong.max(), 1)
+                    errors = numpy.abs(shown - 255 * numpy.array(colors[i]))
+                    self.assertLessEqual(errors.max(), 1)
             seen = sure & truth.seen
-            wrong = numpy.abs(found["depth"][seen] / truth.depth[seen] - 1)
-            self.assertLess(wrong.max(), 1e-6)
+            errors = numpy.abs(found["depth"][seen] / truth.depth[seen] - 1)
+            self.assertLess(errors.max(), 1e-6)
             rows, columns = numpy.nonzero(found["object"])
             local = found["position"][rows, columns] @ camera.R.T + camera.t
             places = lens(local, coefficients)
@@ -213,8 +213,8 @@ class SensorDatasets(unittest.TestCase):
             middle = numpy.s_[SIZE[1] : 2 * SIZE[1], SIZE[0] : 2 * SIZE[0]]
             depth = read_png(folder / "depth" / "000000.png")
             seen = truth.sure[middle] & truth.seen[middle]
-            wrong = depth[seen] * about["depth_scale"] / 1000 - truth.depth[middle][seen]
-            self.assertLessEqual(numpy.abs(wrong).max(), 0.51 * about["depth_scale"] / 1000)
+            errors = depth[seen] * about["depth_scale"] / 1000 - truth.depth[middle][seen]
+            self.assertLessEqual(numpy.abs(errors).max(), 0.51 * about["depth_scale"] / 1000)
             infos = read_json(folder / "scene_gt_info.json")["0"]
             for i, info in enumerate(infos):
                 mask = read_png(folder / "mask" / f"000000_{i:06d}.png") > 0
@@ -550,8 +550,8 @@ class SensorDatasets(unittest.TestCase):
             self.assertGreater(len(rows), 0.98 * seen.sum())
             local = position[rows, columns] @ cameras[before].R.T + cameras[before].t
             expected = (local / local[:, 2:] @ K.T)[:, :2] - numpy.stack([columns, rows], -1)
-            wrong = numpy.abs(flow[rows, columns] - expected).max(axis=1)
-            self.assertLess(numpy.quantile(wrong, 0.98), 0.01)  # edges have another position
+            errors = numpy.abs(flow[rows, columns] - expected).max(axis=1)
+            self.assertLess(numpy.quantile(errors, 0.98), 0.01)  # edges have another position
             self.assertLess(numpy.nanmax(numpy.abs(found[now]["motion"])), 1e-6)
             valid = found[now]["flow_valid"]
             self.assertTrue(0.5 < valid[seen].mean() < 1)

@@ -178,9 +178,9 @@ class Layers(unittest.TestCase):
         near = relievo.capture(renderer, ["ambient"], camera=sensor, ambient={"radius": 0.25})
         self.assertTrue((relievo.layer(near, "ambient")[floor & (x > 0.25)] == 1).all())
         self.assertLess(relievo.layer(near, "ambient")[floor & (x < 0.1)].mean(), 0.8)
-        for wrong in ({"sample": 3}, {"samples": 0}, {"weighting": "even"}, {"radius": -1}):
+        for bad in ({"sample": 3}, {"samples": 0}, {"weighting": "even"}, {"radius": -1}):
             with self.assertRaises(ValueError):
-                relievo.capture(renderer, ["ambient"], camera=sensor, ambient=wrong)
+                relievo.capture(renderer, ["ambient"], camera=sensor, ambient=bad)
         with self.assertRaises(ValueError):
             relievo.capture(renderer, ["ambient"], size=SIZE, ambient={"samples": 3})
 
@@ -564,8 +564,8 @@ class SeenScene(unittest.TestCase):
         for number, mesh in enumerate(found):
             cells = relievo.layer(drawn, "cell")[relievo.layer(drawn, "actor") == number]
             count = numpy.bincount(cells, minlength=mesh.GetNumberOfCells())
-            wrong = numpy.abs(array(mesh, "pixels") - count)
-            self.assertLessEqual(wrong.sum(), 0.01 * count.sum())
+            errors = numpy.abs(array(mesh, "pixels") - count)
+            self.assertLessEqual(errors.sum(), 0.01 * count.sum())
             mine = vtk_to_numpy(cloud.GetPointData().GetArray("actor")) == number
             self.assertEqual(mine.sum(), array(mesh, "pixels").sum())
             own = vtk_to_numpy(cloud.GetPointData().GetArray("cell"))[mine]
@@ -597,8 +597,8 @@ class SeenScene(unittest.TestCase):
         drawn = relievo.capture(renderer, ["actor", "cell"], size=sensor.size)
         self.assertEqual(set(relievo.layer(drawn, "actor").ravel()), {-1, 0})
         cells = relievo.layer(drawn, "cell")[relievo.layer(drawn, "actor") == 0]
-        wrong = numpy.abs(array(found[0], "pixels") - numpy.bincount(cells, minlength=100))
-        self.assertLessEqual(wrong.sum(), 0.01 * len(cells))
+        errors = numpy.abs(array(found[0], "pixels") - numpy.bincount(cells, minlength=100))
+        self.assertLessEqual(errors.sum(), 0.01 * len(cells))
         self.assertEqual(set(vtk_to_numpy(cloud.GetPointData().GetArray("actor"))), {0})
 
     def test_what_is_left_out_is_told(self):
@@ -692,17 +692,17 @@ class FromRays(unittest.TestCase):
             self.assertEqual(scene.scene.GetNumberOfMeshesBuilt(), 0)
             blocks = vtkMultiBlockDataSet()
             blocks.SetBlock(0, roof)
-            for thing, others, wrong in ((relievo.rays(file), (), "of a file alone"),
+            for thing, others, message in ((relievo.rays(file), (), "of a file alone"),
                                          (relievo.rays(mesh, blocks), (), "without blocks"),
                                          (scene, roof, "beside Rays"),
                                          (relievo.rays((mesh, numpy.eye(4))), (), "matrices")):
-                with self.assertRaisesRegex(ValueError, wrong):
+                with self.assertRaisesRegex(ValueError, message):
                     works["sun_hours"](thing, others)
         unfit = relievo.vtkRelievoRayScene()
         matrix = vtkMatrix4x4()
         matrix.SetElement(0, 0, numpy.nan)
         unfit.AddData(roof, matrix)
-        for given, wrong in ((scene.scene, "other data"), (unfit, "not finite")):
+        for given, message in ((scene.scene, "other data"), (unfit, "not finite")):
             for filter_ in (relievo.vtkRelievoSunExposure(), relievo.vtkRelievoCover()):
                 filter_.SetInputDataObject(0, roof)
                 if filter_.IsA("vtkRelievoCover"):
@@ -712,7 +712,7 @@ class FromRays(unittest.TestCase):
                 filter_.SetScene(given)
                 with relievo._arguments.errors.Watch(filter_) as watch:
                     filter_.Update()
-                with self.assertRaisesRegex(ValueError, wrong):
+                with self.assertRaisesRegex(ValueError, message):
                     watch.raise_as(ValueError, "rays")
 
 
@@ -880,11 +880,11 @@ class ViewFactors(unittest.TestCase):
 
     def test_refused(self):
         mesh = box((0, 0, 0), 1)
-        for given, wrong in (({"groups": [1]}, "expected one number for each of 6 cells"),
+        for given, message in (({"groups": [1]}, "expected one number for each of 6 cells"),
                              ({"groups": "none"}, "got none"), ({"groups": [-1] * 6}, "no polygon"),
                              ({"groups": [0.5] * 6}, "got 0.5 for cell 0"),
                              ({"groups": [0] * 6, "tolerance": 0}, "tolerance: got 0")):
-            with self.assertRaisesRegex(ValueError, wrong):
+            with self.assertRaisesRegex(ValueError, message):
                 relievo.view_factors(mesh, **given)
 
 
@@ -1206,11 +1206,11 @@ class Sun(unittest.TestCase):
                 relievo.sun_exposure(roof, **self.PLACE, first="2026-05-03", last="2026-05-04",
                                      irradiance="perez", weather=file, time_zone=zone)
                 for zone in (None, 0))  # fmt: skip
-            for lines, wrong in ((head + rows[:-1], "has no hour 24 of day 365"),
+            for lines, message in ((head + rows[:-1], "has no hour 24 of day 365"),
                                  (head + rows + rows[:1], "line 8769: has an hour again"),
                                  (["", *head, *rows], "is not a weather file")):
                 file.write_text("\n".join(lines) + "\n")
-                with self.assertRaisesRegex(ValueError, wrong):
+                with self.assertRaisesRegex(ValueError, message):
                     relievo.sun_exposure(roof, **self.PLACE, first="2026-05-03",
                                          irradiance="perez", weather=file)
             # Clocks that differ by 28 hours: the weather is that of two days before.
@@ -1251,13 +1251,13 @@ class Sun(unittest.TestCase):
                                dhi[here][lit].sum() / 1000, delta=0.001)
         self.assertAlmostEqual(array(level, "direct_irradiation")[0],
                                dni[here][lit].sum() / 4000, delta=0.15)
-        for weather, wrong in (({"dni": [1, 2]}, "expected the array dhi"), (7, "got 7"),
+        for weather, message in (({"dni": [1, 2]}, "expected the array dhi"), (7, "got 7"),
                                ({"dni": [1], "dhi": [1, 2]}, "equal"),
                                ({"dni": [1, 1], "dhi": [1, -1]}, "got -1 W/m2 in row 1"),
                                ({"dni": [1] * 3, "dhi": [1] * 3}, "got 3 values for 2 days"),
                                ("none.epw", "none.epw: cannot be read"),
                                ("/dev/zero", "/dev/zero: expected a file .* a device")):
-            with self.assertRaisesRegex(ValueError, wrong):
+            with self.assertRaisesRegex(ValueError, message):
                 relievo.sun_exposure(roof, **self.PLACE, **given, irradiance="perez",
                                      weather=weather)
 
@@ -2229,8 +2229,8 @@ class Parts(unittest.TestCase):
             state = relievo.status(parts[0].directory)[1]
             self.assertEqual((state.number, state.rate, state.seconds_left), (2, 5, 12))
             damaged = pathlib.Path(parts[0].directory, "progress", "part-000003.json")
-            wrong = second.read_text().replace("40", '""')
-            for text in ("[]", "null", '{"part": 3, "of": 3}', wrong):
+            invalid = second.read_text().replace("40", '""')
+            for text in ("[]", "null", '{"part": 3, "of": 3}', invalid):
                 damaged.write_text(text)
                 self.assertEqual([each.number for each in relievo.status(parts)], [1, 2])
             damaged.unlink()

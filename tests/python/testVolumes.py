@@ -252,9 +252,9 @@ class Volumes(unittest.TestCase):
         hit &= seen
         places = scene.depths(found["volume_position"])
         off = numpy.abs(places[hit] - depths[hit]) / steps[hit]
-        wrong = numpy.abs(found["volume_opacity"] - opacities)[sure]
+        errors = numpy.abs(found["volume_opacity"] - opacities)[sure]
         self.assertLessEqual(off.max(), most)
-        self.assertLessEqual(wrong.max(), opacity)
+        self.assertLessEqual(errors.max(), opacity)
         # The other layers belong to the same place.
         numpy.testing.assert_allclose(found["volume_depth"][seen], places[seen], 1e-7)
         self.assertTrue((found["volume"] == numpy.where(seen, 0, -1)).all())
@@ -274,8 +274,8 @@ class Volumes(unittest.TestCase):
                 # VTK's march ends with the last of the 53 steps that fit into the box.
                 opacity = 1 - math.exp(-extinction * 53 * 0.3)
                 # VTK ends rays at 254/255.
-                wrong = numpy.abs(found["volume_opacity"][INNER] - opacity)
-                self.assertLess(wrong.max(), 1e-5 if opacity < 254 / 255 else 1 / 255)
+                errors = numpy.abs(found["volume_opacity"][INNER] - opacity)
+                self.assertLess(errors.max(), 1e-5 if opacity < 254 / 255 else 1 / 255)
 
     def test_ramp(self):
         """A linear ramp: the depth of its first visible value, the value there, its direction."""
@@ -454,8 +454,8 @@ class Volumes(unittest.TestCase):
             self.assertTrue((numpy.isfinite(found["volume_depth"][INNER]) == shown).all(), z)
             opacity = 1 - 0.9 ** (steps / 4)
             if z != -5:  # without a surface, the last step may lie on the box's rim
-                wrong = numpy.abs(found["volume_opacity"][INNER] - opacity).max()
-                self.assertLess(wrong, 1e-4, z)
+                errors = numpy.abs(found["volume_opacity"][INNER] - opacity).max()
+                self.assertLess(errors, 1e-4, z)
             numpy.testing.assert_allclose(found["depth"], 60 - z, 1e-6)
 
     def test_cut(self):
@@ -591,13 +591,13 @@ class Volumes(unittest.TestCase):
             self.assertEqual(len(errors), 1, words)
             self.assertRegex(errors[0], "Volume 0 lacks .*" + words)
             image = vtkImageData()
-            wrong = frame.TryReadLayers(["volume_depth"], image)
+            fault = frame.TryReadLayers(["volume_depth"], image)
             if words == "several blocks":  # which have an opacity
-                self.assertEqual(wrong, "")
+                self.assertEqual(fault, "")
                 depths = image.GetPointData().GetArray("volume_depth")
                 self.assertEqual({depths.GetValue(i) for i in range(SIZE[0] * SIZE[1])}, {math.inf})
             else:
-                self.assertIn(words, wrong)
+                self.assertIn(words, fault)
         bricks = Scene(image_of(ball()), STEEP)
         bricks.mapper.SetPartitions(1, 1, 2)
         with self.assertRaisesRegex(ValueError, "bricks"):

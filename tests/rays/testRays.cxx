@@ -197,7 +197,7 @@ void Compare(vtkRelievoRayScene* scene, const BruteRays& truth, const Rays& rays
   vtkIdType row = 0;
   int unsure = 0;
   int hits = 0;
-  int wrong = 0;
+  int mismatches = 0;
   double offDistance = 0.;
   double offPlace = 0.;
   for (vtkIdType i = 0; i < rays.GetCount(); ++i)
@@ -241,11 +241,11 @@ void Compare(vtkRelievoRayScene* scene, const BruteRays& truth, const Rays& rays
         right = right && GetVector(nearest, column, i) == GetVector(all, column, first);
       }
     }
-    wrong += right ? 0 : 1;
+    mismatches += right ? 0 : 1;
   }
   std::cout << what << ": " << rays.GetCount() << " rays, " << hits << " hit, " << unsure
             << " left out\n";
-  RELIEVO_CHECK_THAT(wrong == 0, what + ": " + std::to_string(wrong) + " wrong");
+  RELIEVO_CHECK_THAT(mismatches == 0, what + ": " + std::to_string(mismatches) + " wrong");
   RELIEVO_CHECK_THAT(row == all->GetNumberOfRows(), what);
   RELIEVO_CHECK_THAT(20 * unsure <= rays.GetCount(), what + ": " + std::to_string(unsure));
   RELIEVO_CHECK_AT_MOST(offDistance, most, what + ", distances, of the size");
@@ -550,7 +550,7 @@ void TestConcave()
     }
     return inside;
   };
-  int wrong = 0;
+  int mismatches = 0;
   for (std::size_t i = 0; i < 4 * outlines.size(); ++i)
   {
     const std::vector<Corner>& outline = outlines[i / 4];
@@ -616,16 +616,16 @@ void TestConcave()
         for (vtkIdType row = 0; row < hits->GetNumberOfRows(); ++row)
         {
           ++met[static_cast<std::size_t>(GetNumber(hits, "ray", row))];
-          wrong += GetNumber(hits, "cell", row) == 1. ? 0 : 1;
+          mismatches += GetNumber(hits, "cell", row) == 1. ? 0 : 1;
         }
         for (std::size_t k = 0; k < expected.size(); ++k)
         {
-          wrong += met[k] == expected[k] ? 0 : 1;
+          mismatches += met[k] == expected[k] ? 0 : 1;
         }
       }
     }
   }
-  RELIEVO_CHECK_NEAR(wrong, 0, 0, "rays at polygons that are not convex");
+  RELIEVO_CHECK_NEAR(mismatches, 0, 0, "rays at polygons that are not convex");
 }
 
 // Glyphs by the thousands beside a mesh, blocks and props that rays cannot trace, in a renderer.

@@ -172,15 +172,16 @@ void Compare(const std::string& what, const Soup& soup, const glm::dmat4& matrix
   }
   int covered = 0;
   int sure = 0;
-  int wrong = 0;
+  int mismatches = 0;
   for (std::size_t i = 0; i < ranges.size(); ++i)
   {
     const double z = raster.GetDepths()[i];
     covered += z < 1.0 ? 1 : 0;
     sure += ranges[i].High < 1.0 && ranges[i].High - ranges[i].Low < 1e-3 ? 1 : 0;
-    wrong += z < ranges[i].Low - 1e-6 || z > ranges[i].High + 1e-6 ? 1 : 0;
+    mismatches += z < ranges[i].Low - 1e-6 || z > ranges[i].High + 1e-6 ? 1 : 0;
   }
-  RELIEVO_CHECK_THAT(wrong == 0, what + ": " + std::to_string(wrong) + " texels are wrong");
+  RELIEVO_CHECK_THAT(
+    mismatches == 0, what + ": " + std::to_string(mismatches) + " texels are wrong");
   RELIEVO_CHECK_THAT(covered > 200 && sure > covered / 2,
     what + ": says little, " + std::to_string(sure) + " of " + std::to_string(covered));
 }
@@ -249,16 +250,16 @@ void TestEdges()
     std::transform(count.begin(), count.end(), raster.GetDepths().begin(), count.begin(),
       [](int before, float z) { return before + (z < 1.f ? 1 : 0); });
   }
-  int wrong = 0;
+  int mismatches = 0;
   for (int y = 1; y < Step * Last; ++y)
   {
     for (int x = 1; x < Step * Last; ++x)
     {
-      wrong += count[static_cast<std::size_t>(y) * Size + x] == 1 ? 0 : 1;
+      mismatches += count[static_cast<std::size_t>(y) * Size + x] == 1 ? 0 : 1;
     }
   }
   RELIEVO_CHECK_THAT(
-    wrong == 0, std::to_string(wrong) + " centres are not in exactly one triangle");
+    mismatches == 0, std::to_string(mismatches) + " centres are not in exactly one triangle");
 }
 
 // Triangle by triangle, without threads, in any order; and corners in an order that no cache helps.
@@ -444,7 +445,7 @@ void TestOpenGL(const std::string& what, const glm::dvec3& origin, bool point)
     int casters = 0;
     int others = 0;
     int outlines = 0;
-    int wrong = 0;
+    int mismatches = 0;
     for (int y = 0; y < rows; ++y)
     {
       for (int x = 0; x < MapSize; ++x)
@@ -466,12 +467,13 @@ void TestOpenGL(const std::string& what, const glm::dvec3& origin, bool point)
         others += map[at] != truth[at] ? 1 : 0;
         const bool same = off <= 2e-6f + (high - low) / 64.f;
         outlines += same ? 0 : 1;
-        wrong += same || (map[at] >= low - 2e-6f && map[at] <= high + 2e-6f) ? 0 : 1;
+        mismatches += same || (map[at] >= low - 2e-6f && map[at] <= high + 2e-6f) ? 0 : 1;
       }
     }
     std::cout << where << ": " << casters << " texels, " << others << " rounded, " << outlines
-              << " at outlines, " << wrong << " wrong\n";
-    RELIEVO_CHECK_THAT(wrong == 0, where + ": " + std::to_string(wrong) + " depths are wrong");
+              << " at outlines, " << mismatches << " wrong\n";
+    RELIEVO_CHECK_THAT(
+      mismatches == 0, where + ": " + std::to_string(mismatches) + " depths are wrong");
     RELIEVO_CHECK_THAT(casters > 2000 && outlines <= casters / 2000,
       where + ": " + std::to_string(outlines) + " of " + std::to_string(casters) + " differ");
     // Otherwise OpenGL has been compared with itself.

@@ -265,12 +265,12 @@ void TestTies()
   stage.GetShadows()->SetMapSize(16);
   stage.GetShadows()->SetBias(100.); // no shadows at all
   stage.Window->Render();
-  const vtkSmartPointer<Certificate> wrong = stage.GetShadows()->Certify(All);
-  std::cout << "right: " << right->GetWords() << "\nwrong: " << wrong->GetWords() << "\n";
+  const vtkSmartPointer<Certificate> broken = stage.GetShadows()->Certify(All);
+  std::cout << "right: " << right->GetWords() << "\nbroken: " << broken->GetWords() << "\n";
   RELIEVO_CHECK(right->GetWrong() == 0 && right->GetTies() > 0);
-  RELIEVO_CHECK(wrong->GetWrongShare() > 0.05);
-  RELIEVO_CHECK(right->GetTies() == wrong->GetTies());
-  RELIEVO_CHECK(right->GetJudged() == wrong->GetJudged());
+  RELIEVO_CHECK(broken->GetWrongShare() > 0.05);
+  RELIEVO_CHECK(right->GetTies() == broken->GetTies());
+  RELIEVO_CHECK(right->GetJudged() == broken->GetJudged());
 }
 
 void TestRefusals()

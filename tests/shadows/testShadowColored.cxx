@@ -107,7 +107,7 @@ struct PaneStage
     ground.AddActor(GetMesh(this->Ground));
     const auto view = ground.Trace(relievoTest::View(this->Stage.Renderer));
     long long seen[8] = {};
-    long long wrong = 0;
+    long long mismatches = 0;
     double largest = 0.;
     for (std::size_t i = 0; i < view.Pixels.size(); ++i)
     {
@@ -139,13 +139,13 @@ struct PaneStage
           picture->GetPointData()->GetScalars()->GetComponent(static_cast<vtkIdType>(i), channel);
         const double off = std::abs(shown / 255. - passes[channel]);
         largest = std::max(largest, off);
-        wrong += off > 1.1 / 255. ? 1 : 0; // a verdict's steps, and the picture's
+        mismatches += off > 1.1 / 255. ? 1 : 0; // a verdict's steps, and the picture's
       }
     }
     RELIEVO_CHECK_THAT(
       seen[0] > 300 && seen[1] > 300 && seen[2] > 300 && seen[3] > 300 && seen[4] > 100,
       what + ": too little is seen");
-    RELIEVO_CHECK_AT_MOST(wrong, 0,
+    RELIEVO_CHECK_AT_MOST(mismatches, 0,
       what + ": channels that pass another share, up to " + std::to_string(255. * largest));
   }
 };

@@ -66,15 +66,15 @@ void TestLaws(const std::string& csv)
         continue;
       }
       const double size = relievoTest::Value(row, "map");
-      const double wrong = 0.01 * relievoTest::Value(row, "wrong %");
+      const double error = 0.01 * relievoTest::Value(row, "wrong %");
       const double x = std::log(size / 2048.);
-      const double y = std::log(wrong);
+      const double y = std::log(error);
       n += 1.;
       sumX += x;
       sumY += y;
       sumXX += x * x;
       sumXY += x * y;
-      const double ratio = wrong / pass->EstimateWrongShare(method, static_cast<int>(size));
+      const double ratio = error / pass->EstimateWrongShare(method, static_cast<int>(size));
       worst = std::max({ worst, ratio, 1. / ratio });
     }
     const double power = -(n * sumXY - sumX * sumY) / (n * sumXX - sumX * sumX);

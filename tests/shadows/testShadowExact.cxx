@@ -232,7 +232,7 @@ void TestPanes()
   ground.AddActor(mesh);
   const auto view = ground.Trace(relievoTest::View(stage.Renderer));
   long long seen[4] = { 0, 0, 0, 0 };
-  long long wrong = 0;
+  long long mismatches = 0;
   for (std::size_t i = 0; i < view.Pixels.size(); ++i)
   {
     const glm::dvec3& p = view.Pixels[i].Position;
@@ -255,10 +255,10 @@ void TestPanes()
       }
     }
     ++seen[which];
-    wrong += !tie && std::abs(Visibility(image)[i] - passes) > 0.51 / 255. ? 1 : 0; // 8 bits
+    mismatches += !tie && std::abs(Visibility(image)[i] - passes) > 0.51 / 255. ? 1 : 0; // 8 bits
   }
   RELIEVO_CHECK_THAT(seen[1] > 300 && seen[2] > 300 && seen[3] > 300, "panes: too little is seen");
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "panes: pixels that pass another share");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "panes: pixels that pass another share");
 }
 
 // Balls of float points away from the origin, which VTK's shader places by float matrices: their

@@ -156,7 +156,7 @@ void Test(ShadowStage& stage, const std::string& what)
   const Source source(vtkLight::SafeDownCast(stage.Renderer->GetLights()->GetItemAsObject(0)));
   std::atomic<long long> judged(0);
   std::atomic<long long> dark(0);
-  std::atomic<long long> wrong(0);
+  std::atomic<long long> mismatches(0);
   std::atomic<long long> ties(0);
   vtkSMPTools::For(0, view.Height, 1, [&](vtkIdType from, vtkIdType to) {
     for (vtkIdType row = from; row < to; ++row)
@@ -177,17 +177,17 @@ void Test(ShadowStage& stage, const std::string& what)
         {
           continue;
         }
-        ++(IsTie(scene, source, view, x, y, truth) ? ties : wrong);
+        ++(IsTie(scene, source, view, x, y, truth) ? ties : mismatches);
       }
     }
   });
   const auto all = static_cast<double>(judged);
-  std::cout << what << ": " << wrong << " wrong of " << judged << " (" << 100. * wrong / all
-            << " %), " << dark << " dark, " << ties << " ties left out, "
+  std::cout << what << ": " << mismatches << " wrong of " << judged << " ("
+            << 100. * mismatches / all << " %), " << dark << " dark, " << ties << " ties left out, "
             << scene.GetNumberOfTriangles() << " triangles\n";
   RELIEVO_CHECK_THAT(judged > 20000 && dark > judged / 500, what + ": too little is judged");
   RELIEVO_CHECK_AT_MOST(
-    static_cast<double>(wrong) / all, Limit, what + ": share of wrong verdicts");
+    static_cast<double>(mismatches) / all, Limit, what + ": share of wrong verdicts");
   RELIEVO_CHECK_AT_MOST(static_cast<double>(ties) / all, 1e-3, what + ": ties left out");
 }
 

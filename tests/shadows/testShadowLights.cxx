@@ -130,7 +130,7 @@ void TestAlongTheView()
   camera->SetClippingRange(1., 10.);
   const auto image = relievoTest::CaptureShadow(stage, 0);
   auto* lit = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("shadow_0"));
-  int wrong = 0;
+  int mismatches = 0;
   int dark = 0;
   for (int i = 0; i < 200 * 150; ++i)
   {
@@ -140,10 +140,10 @@ void TestAlongTheView()
     const bool edge =
       std::abs(std::abs(x - 0.3) - 0.25) < 0.01 || std::abs(std::abs(z - 0.2) - 0.15) < 0.01;
     dark += under ? 1 : 0;
-    wrong += !edge && (lit->GetValue(i) < 0.5) != under ? 1 : 0;
+    mismatches += !edge && (lit->GetValue(i) < 0.5) != under ? 1 : 0;
   }
   RELIEVO_CHECK(dark > 500);
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "above the eye: wrong verdicts");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "above the eye: wrong verdicts");
   box->SetPosition(0., -6., 0.); // before the near plane no more
   stage.Window->Render();
   RELIEVO_CHECK(stage.GetShadows()->GetNumberOfCastingLights() == 0);

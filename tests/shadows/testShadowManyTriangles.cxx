@@ -203,7 +203,7 @@ void Test(double wanted, bool oneMesh)
     RELIEVO_CHECK(stage.GetShadows()->GetMethodUsed() == vtkRelievoShadowStage::METHOD_EXACT);
     const relievoTest::View view(stage.Renderer);
     long long seen[3] = { 0, 0, 0 }; // ties, dark, lit
-    long long wrong[3] = { 0, 0, 0 };
+    long long mismatches[3] = { 0, 0, 0 };
     for (int pixel = 0; pixel < Columns * Rows; ++pixel)
     {
       const relievoTest::Ray ray = view.PixelRay(pixel % Columns + 0.5, pixel / Columns + 0.5);
@@ -215,7 +215,7 @@ void Test(double wanted, bool oneMesh)
       const double truth = GetTruth(place);
       const int kind = 1 + static_cast<int>(truth);
       ++seen[kind];
-      wrong[kind] += std::abs(drawn[pixel] - truth) > 0.5 ? 1 : 0;
+      mismatches[kind] += std::abs(drawn[pixel] - truth) > 0.5 ? 1 : 0;
     }
     const std::string what = std::to_string(triangles) + " triangles";
     std::cout << what << ", frame " << frame << ": " << seen[1] << " pixels dark, " << seen[2]
@@ -224,8 +224,8 @@ void Test(double wanted, bool oneMesh)
               << GetMemory("VmHWM") << " MiB in all\n";
     RELIEVO_CHECK_THAT(seen[1] > 10000 && seen[2] > 10000, what + ": too little is judged");
     RELIEVO_CHECK_AT_MOST(static_cast<double>(seen[0]), 0.02 * Columns * Rows, what + ": at rims");
-    RELIEVO_CHECK_AT_MOST(wrong[1], 0, what + ": dark pixels that are lit");
-    RELIEVO_CHECK_AT_MOST(wrong[2], 0, what + ": lit pixels that are dark");
+    RELIEVO_CHECK_AT_MOST(mismatches[1], 0, what + ": dark pixels that are lit");
+    RELIEVO_CHECK_AT_MOST(mismatches[2], 0, what + ": lit pixels that are dark");
     RELIEVO_CHECK_AT_MOST(static_cast<double>(stage.GetShadows()->GetBytesHeld()),
       64. * static_cast<double>(triangles) + 4096. + (16. + 4. / 64.) * (Columns + 7) * (Rows + 7),
       what + ": bytes held");

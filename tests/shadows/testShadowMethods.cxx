@@ -76,7 +76,7 @@ void TestErrors()
 // The far poles take most of an even map for nothing.
 void TestHorizon()
 {
-  double wrong[3] = { 0., 0., 0. };
+  double error[3] = { 0., 0., 0. };
   for (const int method : { Pass::METHOD_MAP, Pass::METHOD_WARPED })
   {
     ShadowStage stage(400, 300);
@@ -86,10 +86,10 @@ void TestHorizon()
     const auto errors = relievoTest::JudgeShadow(stage, 0);
     std::cout << "horizon, " << Names[method] << ": " << errors.ToString() << "\n";
     RELIEVO_CHECK(errors.Dark > 1000);
-    wrong[method] = errors.Wrong();
+    error[method] = errors.Wrong();
   }
   RELIEVO_CHECK_AT_MOST(
-    wrong[Pass::METHOD_WARPED] / wrong[Pass::METHOD_MAP], 0.75, "horizon, warped over map");
+    error[Pass::METHOD_WARPED] / error[Pass::METHOD_MAP], 0.75, "horizon, warped over map");
 }
 
 // The caster is out of the view, and the receiver is flat: the map's near plane is at the receiver.

@@ -301,16 +301,16 @@ void TestRefusals()
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   {
     const relievoTest::ExpectMessage expected("SetTolerance was given");
-    for (const double wrong : { -0.1, 1.1, nan })
+    for (const double invalid : { -0.1, 1.1, nan })
     {
-      shadows->SetTolerance(wrong);
+      shadows->SetTolerance(invalid);
     }
   }
   {
     const relievoTest::ExpectMessage expected("SetTimeBudget was given");
-    for (const double wrong : { -1., HUGE_VAL, nan })
+    for (const double invalid : { -1., HUGE_VAL, nan })
     {
-      shadows->SetTimeBudget(wrong);
+      shadows->SetTimeBudget(invalid);
     }
   }
   {

@@ -72,7 +72,7 @@ void TestPane(int cells, double opacity, const std::string& what)
     const float* shares =
       vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("shadow_0"))->GetPointer(0);
     long long below = 0;
-    long long wrong = 0;
+    long long mismatches = 0;
     for (int i = 0; i < Side * Side; ++i)
     {
       const double x = 4. * (i % Side - Side / 2) / Side;
@@ -80,11 +80,11 @@ void TestPane(int cells, double opacity, const std::string& what)
       const double off = std::max(std::abs(x), std::abs(z)) - High;
       const double share = off < 0. ? 1. - opacity : 1.;
       below += off < 0. ? 1 : 0;
-      wrong += std::abs(off) > 1e-4 && std::abs(shares[i] - share) > 0.51 / 255. ? 1 : 0;
+      mismatches += std::abs(off) > 1e-4 && std::abs(shares[i] - share) > 0.51 / 255. ? 1 : 0;
     }
     RELIEVO_CHECK_THAT(below > 200000, what + ": the pane is over the picture");
     RELIEVO_CHECK_AT_MOST(
-      wrong, 0, what + ", frame " + std::to_string(frame) + ": pixels of another share");
+      mismatches, 0, what + ", frame " + std::to_string(frame) + ": pixels of another share");
   }
 }
 
@@ -103,7 +103,7 @@ void TestRays(double opacity, bool turned)
   vtkRelievoCasterRays rays;
   rays.SetSurfaces({ surface });
   constexpr int Steps = 48; // places over corners, diagonals, and none of them
-  long long wrong = 0;
+  long long mismatches = 0;
   for (int i = 1; i < Steps; ++i)
   {
     for (int j = 1; j < Steps; ++j)
@@ -114,11 +114,11 @@ void TestRays(double opacity, bool turned)
       {
         const double passed =
           rays.Pass(over - ray - rays.GetCenter(), ray, 2., vtkRelievoCasterRays::Hit(), 1e-6);
-        wrong += passed != 1. - opacity ? 1 : 0;
+        mismatches += passed != 1. - opacity ? 1 : 0;
       }
     }
   }
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "rays on the CPU that pass another share");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "rays on the CPU that pass another share");
 }
 }
 

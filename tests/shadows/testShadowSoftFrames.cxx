@@ -183,13 +183,14 @@ void TestCaptures()
   stage.GetFrame()->SetDisplayLayer("shadow_1");
   const auto shown = stage.DrawAll();
   auto* levels = shown->GetPointData()->GetScalars();
-  int wrong = 0;
+  int mismatches = 0;
   for (vtkIdType i = 0; i < shares->GetNumberOfTuples(); ++i)
   {
     const bool hit = own.Image->GetPointData()->GetArray("depth")->GetComponent(i, 0) < 1e6;
-    wrong += hit && std::abs(levels->GetComponent(i, 0) - 255. * shares->GetValue(i)) > 1. ? 1 : 0;
+    mismatches +=
+      hit && std::abs(levels->GetComponent(i, 0) - 255. * shares->GetValue(i)) > 1. ? 1 : 0;
   }
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "pixels that show another share than the layer's");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "pixels that show another share than the layer's");
 }
 
 // A picture in tiles has all samples in each, and equals that of a larger window.

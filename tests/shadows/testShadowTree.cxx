@@ -104,7 +104,7 @@ void TestIndices()
 {
   constexpr int LeafSize = 4;
   constexpr int MostNodes = 2 * vtkRelievoBoxTree::MostLeaves - 1;
-  long long wrong = 0;
+  long long mismatches = 0;
   for (int node = 0; node < MostNodes; node += 1 + node / 100)
   {
     for (int leaves = 2; leaves <= (MostNodes - node + 1) / 2; leaves += 1 + leaves / 100)
@@ -112,19 +112,19 @@ void TestIndices()
       vtkRelievoBoxTree::Node inner{};
       inner.Next = node + 2 * leaves - 1;
       const float w = inner.GetTexels(node, LeafSize)[0].w;
-      wrong += w >= 0.f && node + relievoTreeNodesOf(w) == inner.Next ? 0 : 1;
+      mismatches += w >= 0.f && node + relievoTreeNodesOf(w) == inner.Next ? 0 : 1;
     }
     const int first = std::min(LeafSize * (node / 2), LeafSize * vtkRelievoBoxTree::MostLeaves - 4);
     vtkRelievoBoxTree::Node leaf{};
     leaf.Next = -1 - first;
     leaf.Count = 3;
     const auto texels = leaf.GetTexels(node, LeafSize);
-    wrong += texels[0].w < 0.f && relievoTreeLeafFirst(texels[0].w) == first ? 0 : 1;
-    wrong += texels[1].w == 3.f ? 0 : 1;
+    mismatches += texels[0].w < 0.f && relievoTreeLeafFirst(texels[0].w) == first ? 0 : 1;
+    mismatches += texels[1].w == 3.f ? 0 : 1;
     leaf.Next = -1 - node / 2; // of a tree with one box in a leaf
-    wrong += relievoTreeLeaf(leaf.GetTexels(node, 1)[0].w) == node / 2 ? 0 : 1;
+    mismatches += relievoTreeLeaf(leaf.GetTexels(node, 1)[0].w) == node / 2 ? 0 : 1;
   }
-  RELIEVO_CHECK_AT_MOST(wrong, 0, "indices of nodes and leaves");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0, "indices of nodes and leaves");
 }
 
 // Places that are shared by many casters: more than a float counts.

@@ -174,7 +174,7 @@ def messages():
         "render {made}/ground.vtp --size 0x10 --png a.png",
         "render {made}/ground.vtp --size 3 --png a.png",
     )  # fmt: skip
-    wrong = (
+    refusals = (
         "--png a.jpg", "--png a.png --png b.png", "--png a.png --exr a.png", "--png no/a.png",
         "--png {made}/ground.vtp", "--exr a.exr --layers deep", "--exr a.exr --layers shadow_5",
         "--png a.png --camera 1,2,3", "--png a.png --camera 0,0,0,0,0,0,0,1,0",
@@ -200,7 +200,7 @@ def messages():
         "--exr a.exr --deferred --layers albedo,nothing", "--png a.png --certify 10",
         "--frame 3 --png a.png",
     )  # fmt: skip
-    yield "refused", [*refused, *(f"render {{made}}/ground.vtp {SIZE} {more}" for more in wrong)]
+    yield "refused", [*refused, *(f"render {{made}}/ground.vtp {SIZE} {more}" for more in refusals)]
     broken = (
         "empty.off", "words.off", "missing.off", "huge.off", "infinite.off", "cut.stl", "cut.ply",
         "cut.vtp", "cut.bvh", "table.vtk", "lost.gltf",

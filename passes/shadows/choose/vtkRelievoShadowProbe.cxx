@@ -247,7 +247,7 @@ vtkRelievoShadowProbe::Count vtkRelievoShadowProbe::Ask(
   {
     double At[Levels] = { 0.0, 0.0 };
   };
-  std::vector<Wrong> wrong(this->Samples.size());
+  std::vector<Wrong> counts(this->Samples.size());
   const glm::dvec3 center = this->Rays.GetCenter();
   vtkRelievoWithThreads([&]() {
     vtkSMPTools::For(
@@ -263,14 +263,14 @@ vtkRelievoShadowProbe::Count vtkRelievoShadowProbe::Ask(
           });
           if (map != maps.end())
           {
-            this->AddWrong(sample, map->View, bias, wrong[i].At);
+            this->AddWrong(sample, map->View, bias, counts[i].At);
           }
         }
       });
   });
   Count count;
-  count.Asked = static_cast<double>(wrong.size());
-  for (const Wrong& each : wrong)
+  count.Asked = static_cast<double>(counts.size());
+  for (const Wrong& each : counts)
   {
     for (int level = 0; level < Levels; ++level)
     {
@@ -283,7 +283,7 @@ vtkRelievoShadowProbe::Count vtkRelievoShadowProbe::Ask(
 //------------------------------------------------------------------------------
 // For each of the coarse maps, the share of grid offsets with a wrong verdict.
 void vtkRelievoShadowProbe::AddWrong(const Sample& sample, const vtkRelievoShadowView& view,
-  double bias, double (&wrong)[Levels]) const
+  double bias, double (&shares)[Levels]) const
 {
   const glm::dvec3 center = this->Rays.GetCenter();
   const glm::dvec3 world = sample.Place + center;
@@ -339,7 +339,7 @@ void vtkRelievoShadowProbe::AddWrong(const Sample& sample, const vtkRelievoShado
       sum += (lit >= 0.5) != sample.Lit ? 1.0 : 0.0;
       unlike = phase > 0 || count < 4;
     }
-    wrong[level] += sum / Phases;
+    shares[level] += sum / Phases;
   }
 }
 

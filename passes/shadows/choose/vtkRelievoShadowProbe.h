@@ -80,7 +80,7 @@ private:
   bool IsAtEdge(const Sample& sample) const;
   Count Ask(const vtkRelievoShadowCache& cache, double bias) const;
   void AddWrong(const Sample& sample, const vtkRelievoShadowView& view, double bias,
-    double (&wrong)[Levels]) const;
+    double (&shares)[Levels]) const;
 
   vtkRelievoCasterRays Rays;
   std::vector<vtkRelievoBox> Unfollowed;

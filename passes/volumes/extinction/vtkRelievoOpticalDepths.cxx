@@ -412,7 +412,7 @@ double vtkRelievoOpticalDepths::EstimateWrongShare(
   int places) const
 {
   std::vector<char> shaded(places, 0);
-  std::vector<char> wrong(places, 0);
+  std::vector<char> differs(places, 0);
   vtkRelievoForAll(places, [&](vtkIdType place) {
     // R. Kronecker's sequence, by the plastic number's powers: even, and equal on every machine.
     const double number = static_cast<double>(place) + 1.0;
@@ -447,9 +447,9 @@ double vtkRelievoOpticalDepths::EstimateWrongShare(
     const double exact = std::exp(-GetExactDepth(fields, source, world));
     const double drawn = std::exp(-depth);
     shaded[place] = exact < 1.0 - slack || drawn < 1.0 - slack;
-    wrong[place] = std::abs(exact - drawn) > slack;
+    differs[place] = std::abs(exact - drawn) > slack;
   });
   const double count = static_cast<double>(std::count(shaded.begin(), shaded.end(), 1));
-  return count > 0.0 ? static_cast<double>(std::count(wrong.begin(), wrong.end(), 1)) / count
+  return count > 0.0 ? static_cast<double>(std::count(differs.begin(), differs.end(), 1)) / count
                      : -1.0;
 }

@@ -165,7 +165,7 @@ std::map<Edge, int> EdgeUses(vtkPolyData* surface)
 int UnlistedEdges(vtkPolyData* surface, vtkPolyData* seams)
 {
   std::map<Edge, int> uses = EdgeUses(surface);
-  int wrong = 0;
+  int mismatches = 0;
   vtkNew<vtkIdList> points;
   vtkDataArray* counts = seams->GetCellData()->GetArray("uses");
   for (vtkIdType i = 0; i < seams->GetLines()->GetNumberOfCells(); ++i)
@@ -175,7 +175,7 @@ int UnlistedEdges(vtkPolyData* surface, vtkPolyData* seams)
     const auto found = uses.find(edge);
     const bool right = found != uses.end() && found->second != 2 &&
       found->second == static_cast<int>(counts->GetComponent(i, 0));
-    wrong += !right;
+    mismatches += !right;
     if (right)
     {
       found->second = 2;
@@ -183,9 +183,9 @@ int UnlistedEdges(vtkPolyData* surface, vtkPolyData* seams)
   }
   for (const auto& edge : uses)
   {
-    wrong += edge.second != 2;
+    mismatches += edge.second != 2;
   }
-  return wrong;
+  return mismatches;
 }
 
 //------------------------------------------------------------------------------

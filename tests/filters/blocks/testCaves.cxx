@@ -159,15 +159,16 @@ void TestNaive()
     caves->SetRockLabel(4);
     caves->Update();
     const std::vector<double> labels = ValuesOf(caves->GetOutput());
-    int wrong = 0;
+    int mismatches = 0;
     for (vtkIdType i = 0; i < caves->GetOutput()->GetNumberOfPoints(); ++i)
     {
       double point[3];
       caves->GetOutput()->GetPoint(i, point);
       const bool inside = caves->GetFunction()->EvaluateFunction(point) < 0.;
-      wrong += inside != (naive[i] == 1.) || labels[i] != (inside ? 9. : 4.);
+      mismatches += inside != (naive[i] == 1.) || labels[i] != (inside ? 9. : 4.);
     }
-    RELIEVO_CHECK_THAT(wrong == 0, one.Name + ": " + std::to_string(wrong) + " samples differ");
+    RELIEVO_CHECK_THAT(
+      mismatches == 0, one.Name + ": " + std::to_string(mismatches) + " samples differ");
   }
 }
 
@@ -217,7 +218,7 @@ void TestPieces()
       whole = values;
     }
     vtkSMPTools::Initialize(0);
-    int wrong = 0;
+    int mismatches = 0;
     vtkIdType samples = 0;
     const auto compare = [&](vtkImageData* piece) {
       const std::vector<double> values = ValuesOf(piece);
@@ -230,7 +231,7 @@ void TestPieces()
         {
           for (int i = extent[0]; i <= extent[1]; ++i)
           {
-            wrong += values[at++] != whole[i + 70 * (j + 45 * k)];
+            mismatches += values[at++] != whole[i + 70 * (j + 45 * k)];
           }
         }
       }
@@ -252,7 +253,7 @@ void TestPieces()
       compare(caves->GetOutput());
     }
     RELIEVO_CHECK(samples > 2 * 70 * 45 * 52);
-    RELIEVO_CHECK_THAT(wrong == 0, std::to_string(wrong) + " samples of pieces differ");
+    RELIEVO_CHECK_THAT(mismatches == 0, std::to_string(mismatches) + " samples of pieces differ");
   }
 }
 

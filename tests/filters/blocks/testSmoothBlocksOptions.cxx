@@ -93,7 +93,7 @@ void TestNullNormals(double strength)
   filter->SetStrength(strength);
   vtkPolyData* surface = Run(filter,
     MakeBlocks({ 7, 7, 7 }, [](int i, int j, int k) { return vtkTypeInt64((i + j + k) & 1); }));
-  int wrong = 0;
+  int mismatches = 0;
   int inner = 0;
   ForEachTriangle(surface, [&](vtkIdType, vtkIdList* ids, const Place* corners) {
     double area[3];
@@ -106,13 +106,14 @@ void TestNullNormals(double strength)
       {
         double normal[3];
         surface->GetPointData()->GetNormals()->GetTuple(ids->GetId(c), normal);
-        wrong += !(vtkMath::Dot(area, normal) > 0.9);
+        mismatches += !(vtkMath::Dot(area, normal) > 0.9);
         ++inner;
       }
     }
   });
   RELIEVO_CHECK(inner > 1000);
-  RELIEVO_CHECK_THAT(wrong == 0, std::to_string(wrong) + " normals do not belong to their face");
+  RELIEVO_CHECK_THAT(
+    mismatches == 0, std::to_string(mismatches) + " normals do not belong to their face");
 }
 
 // Ground with a step of each kind of label; rigid blocks beside it stay cubes.

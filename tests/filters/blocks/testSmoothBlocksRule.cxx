@@ -61,7 +61,7 @@ struct Symmetry
 void TestSymmetry()
 {
   const BlockRule rule(0.11);
-  int wrong = 0;
+  int mismatches = 0;
   int symmetries = 0;
   int axes[3] = { 0, 1, 2 };
   do
@@ -73,13 +73,13 @@ void TestSymmetry()
       ++symmetries;
       for (unsigned int solid = 0; solid < 256; ++solid)
       {
-        wrong += rule.Of(symmetry.Of(solid)) != symmetry.Of(rule.Of(solid));
-        wrong += rule.Of(solid) != rule.Of(255u ^ solid);
+        mismatches += rule.Of(symmetry.Of(solid)) != symmetry.Of(rule.Of(solid));
+        mismatches += rule.Of(solid) != rule.Of(255u ^ solid);
       }
     }
   } while (std::next_permutation(axes, axes + 3));
   RELIEVO_CHECK(symmetries == 48);
-  RELIEVO_CHECK_THAT(wrong == 0, std::to_string(wrong) + " offsets are not symmetric");
+  RELIEVO_CHECK_THAT(mismatches == 0, std::to_string(mismatches) + " offsets are not symmetric");
 }
 
 void TestKnown()

@@ -133,7 +133,7 @@ void TestPiecesOfShell()
       cells += part->GetNumberOfCells();
       RELIEVO_CHECK(shell->GetReport() == whole->GetReport());
       RELIEVO_CHECK(part->GetFieldData()->GetArray("inside") != nullptr);
-      int wrong = 0;
+      int mismatches = 0;
       for (vtkIdType i = 0; i < part->GetNumberOfCells(); ++i)
       {
         double bounds[6];
@@ -151,10 +151,10 @@ void TestPiecesOfShell()
         {
           const double found = part->GetCellData()->GetArray(name)->GetTuple1(i);
           const double truth = all->GetCellData()->GetArray(name)->GetTuple1(at);
-          wrong += found == truth || (std::isnan(found) && std::isnan(truth)) ? 0 : 1;
+          mismatches += found == truth || (std::isnan(found) && std::isnan(truth)) ? 0 : 1;
         }
       }
-      RELIEVO_CHECK_AT_MOST(wrong, 0., "wrong values of a piece");
+      RELIEVO_CHECK_AT_MOST(mismatches, 0., "wrong values of a piece");
     }
     RELIEVO_CHECK(cells == all->GetNumberOfCells());
   }

@@ -129,7 +129,7 @@ void TestParity()
       RELIEVO_CHECK(filter->GetNumberOfOpenColumns(axis) == 0);
       const vtkIdType columns[3] = { 50 * 70, 60 * 70, 60 * 50 };
       RELIEVO_CHECK(filter->GetNumberOfColumns(axis) == columns[axis]);
-      int wrong = 0;
+      int mismatches = 0;
       int near = 0;
       vtkIdType cell = 0;
       vtkIdType inside = 0;
@@ -144,11 +144,11 @@ void TestParity()
             inside += is ? 1 : 0;
             const bool decided = std::abs(distance) > solid.Chord + 1e-12;
             near += decided ? 0 : 1;
-            wrong += decided && is != (distance < 0.) ? 1 : 0;
+            mismatches += decided && is != (distance < 0.) ? 1 : 0;
           }
         }
       }
-      RELIEVO_CHECK_AT_MOST(wrong, 0., solid.Name + ": wrong cells");
+      RELIEVO_CHECK_AT_MOST(mismatches, 0., solid.Name + ": wrong cells");
       RELIEVO_CHECK_AT_MOST(near, 0.01 * 60 * 50 * 70, solid.Name + ": undecided cells");
       RELIEVO_CHECK(filter->GetNumberOfCellsInside() == inside);
     }
@@ -165,7 +165,7 @@ void TestViews()
       vtkImageData* image = Run(filter, solid.Mesh, method);
       const std::vector<int> axes =
         method == Filter::TWO_VIEWS ? std::vector<int>{ 2 } : std::vector<int>{ 0, 1, 2 };
-      int wrong = 0;
+      int mismatches = 0;
       int unsure = 0;
       int cells = 0;
       // Some of them: the march takes its time.
@@ -179,11 +179,11 @@ void TestViews()
             ++cells;
             unsure += truth == 2 ? 1 : 0;
             const vtkIdType cell = (static_cast<vtkIdType>(k) * 50 + j) * 60 + i;
-            wrong += truth != 2 && Mask(image)->GetValue(cell) != truth ? 1 : 0;
+            mismatches += truth != 2 && Mask(image)->GetValue(cell) != truth ? 1 : 0;
           }
         }
       }
-      RELIEVO_CHECK_AT_MOST(wrong, 0., solid.Name + ": cells other than seen");
+      RELIEVO_CHECK_AT_MOST(mismatches, 0., solid.Name + ": cells other than seen");
       RELIEVO_CHECK_AT_MOST(unsure, 0.02 * cells, solid.Name + ": undecided cells");
     }
   }

@@ -255,7 +255,7 @@ void TestDepthImages()
     SetGrid(filter);
     const Cells cells = CellsOf(filter);
     const double texel = 2.4 / size;
-    int wrong = 0;
+    int mismatches = 0;
     std::size_t cell = 0;
     for (int k = 0; k < 40; ++k)
     {
@@ -266,11 +266,11 @@ void TestDepthImages()
           const glm::dvec3 place(
             -1.5 + (i + 0.5) * 0.075, -1.45 + (j + 0.5) * 0.075, -1.52 + (k + 0.5) * 0.075);
           const double distance = glm::length(place) - 1.;
-          wrong += std::abs(distance) > 1.5 * texel && cells[cell] != (distance < 0.) ? 1 : 0;
+          mismatches += std::abs(distance) > 1.5 * texel && cells[cell] != (distance < 0.) ? 1 : 0;
         }
       }
     }
-    RELIEVO_CHECK_AT_MOST(wrong, 0., "wrong cells, texels: " + std::to_string(size));
+    RELIEVO_CHECK_AT_MOST(mismatches, 0., "wrong cells, texels: " + std::to_string(size));
     RELIEVO_CHECK(std::count(cells.begin(), cells.end(), 1) > 5000);
     RELIEVO_CHECK_THAT(
       filter->GetReport().rfind("6 views, along x y z", 0) == 0, filter->GetReport());

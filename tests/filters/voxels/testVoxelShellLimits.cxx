@@ -308,16 +308,16 @@ void TestMoving()
   const Cells before = CellsOf(filter);
   transform->Translate(4. * step, 0., 0.);
   const Cells after = CellsOf(filter);
-  int wrong = 0;
+  int mismatches = 0;
   for (int row = 0; row < 1600; ++row)
   {
     for (int i = 4; i < 40; ++i)
     {
       const auto cell = static_cast<std::size_t>(row * 40 + i);
-      wrong += after[cell] != before[cell - 4] ? 1 : 0;
+      mismatches += after[cell] != before[cell - 4] ? 1 : 0;
     }
   }
-  RELIEVO_CHECK_AT_MOST(wrong, 0., "cells that did not move along");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0., "cells that did not move along");
   transform->Translate(100., 0., 0.);
   const Cells gone = CellsOf(filter);
   RELIEVO_CHECK(std::count(gone.begin(), gone.end(), 1) == 0);

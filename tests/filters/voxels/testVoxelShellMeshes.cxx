@@ -76,13 +76,13 @@ void TestMesh(const std::string& name, int resolution, bool closed)
     CellsInside([&scene](const glm::dvec3& place) { return IsInsideByVote(scene, place); }, cells,
       origin, glm::dvec3(spacing[0], spacing[1], spacing[2]));
   const auto inside = std::count(truth.begin(), truth.end(), 1);
-  int wrong = 0;
+  int mismatches = 0;
   for (std::size_t i = 0; i < truth.size(); ++i)
   {
-    wrong += truth[i] != mask->GetValue(static_cast<vtkIdType>(i)) ? 1 : 0;
+    mismatches += truth[i] != mask->GetValue(static_cast<vtkIdType>(i)) ? 1 : 0;
   }
   RELIEVO_CHECK(inside > 1000);
-  RELIEVO_CHECK_AT_MOST(static_cast<double>(wrong) / static_cast<double>(inside), 1e-3,
+  RELIEVO_CHECK_AT_MOST(static_cast<double>(mismatches) / static_cast<double>(inside), 1e-3,
     name + ": cells other than Embree's vote, share of those inside");
   RELIEVO_CHECK_THAT(filter->IsClosed() == closed, name + ": closed or not");
   if (closed)

@@ -45,17 +45,17 @@ void TestOverlap()
   const Cells parity = CellsOf(filter);
   RELIEVO_CHECK(filter->IsClosed());
   const Cells views = CellsOf(both->GetOutput(), Filter::SIX_VIEWS);
-  int wrong = 0;
+  int mismatches = 0;
   int missed = 0;
   int overlap = 0;
   for (std::size_t i = 0; i < one.size(); ++i)
   {
-    wrong += parity[i] != (one[i] ^ other[i]) ? 1 : 0;
+    mismatches += parity[i] != (one[i] ^ other[i]) ? 1 : 0;
     missed += (one[i] | other[i]) && !views[i] ? 1 : 0;
     overlap += one[i] & other[i];
   }
   RELIEVO_CHECK(overlap > 4000);
-  RELIEVO_CHECK_AT_MOST(wrong, 0., "cells that are not in one of two bodies");
+  RELIEVO_CHECK_AT_MOST(mismatches, 0., "cells that are not in one of two bodies");
   RELIEVO_CHECK_AT_MOST(missed, 0., "cells of two bodies that views miss");
 }
 

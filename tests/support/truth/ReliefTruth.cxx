@@ -230,14 +230,14 @@ relievoTest::ReliefErrors relievoTest::CompareRelief(
       ++errors.Rays;
       const double truth = MeetRelief(field, ray, scale);
       const glm::dvec3 place = ray.Origin + ray.Direction * (depth / ray.AxisPerLength);
-      const double wrong = std::abs(-place.z / scale - truth);
-      if (wrong > 0.05)
+      const double error = std::abs(-place.z / scale - truth);
+      if (error > 0.05)
       {
         errors.Missed += 1.;
         continue;
       }
       ++kept;
-      errors.Depth += wrong;
+      errors.Depth += error;
       if (normals)
       {
         glm::dvec3 seen;

@@ -281,7 +281,7 @@ void TestShadows()
     long long dark = 0;
     long long lit = 0;
     long long unstable = 0;
-    long long wrong = 0;
+    long long mismatches = 0;
     for (const PixelTruth& pixel : image.Pixels)
     {
       const glm::dvec3 way = sun ? light : light - pixel.Position;
@@ -298,11 +298,11 @@ void TestShadows()
       }
       const bool truth = exact.Occluded(Ray{ pixel.Position, way }, 1e-7, far);
       (truth ? dark : lit) += 1;
-      wrong += truth != verdict.Occluded ? 1 : 0;
+      mismatches += truth != verdict.Occluded ? 1 : 0;
     }
     std::cout << (sun ? "sun: " : "point light: ") << lit << " lit, " << dark << " dark, "
-              << unstable << " left out, " << wrong << " wrong\n";
-    RELIEVO_CHECK(lit > 10000 && dark > 1000 && wrong == 0);
+              << unstable << " left out, " << mismatches << " wrong\n";
+    RELIEVO_CHECK(lit > 10000 && dark > 1000 && mismatches == 0);
     RELIEVO_CHECK(unstable > 0 && unstable < 0.02 * (lit + dark));
   }
 }
