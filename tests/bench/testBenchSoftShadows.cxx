@@ -24,7 +24,7 @@ RELIEVO_TEST_CASE(testBenchSoftShadows)
   vtksys::SystemTools::RemoveADirectory(folder);
   relievoBench::SoftShadowSizes sizes;
   sizes.Scenes = { "spheres" };
-  sizes.Samples = { 1, 4, 32 };
+  sizes.Samples = { 1, 4, 16 };
   sizes.Width = 120;
   sizes.Height = 90;
   RELIEVO_CHECK(relievoBench::BenchSoftShadows(folder, sizes) == 0);
@@ -38,7 +38,7 @@ RELIEVO_TEST_CASE(testBenchSoftShadows)
     RELIEVO_CHECK_AT_MOST(few, 0.75 * hard, "error of 4 samples in group " + std::to_string(i));
     // The map's own error at edges stays, however many samples there are.
     const double share = rows[i].at("method") == "map" ? 0.75 : 0.5;
-    RELIEVO_CHECK_AT_MOST(many, share * few, "error of 32 samples in group " + std::to_string(i));
+    RELIEVO_CHECK_AT_MOST(many, share * few, "error of 16 samples in group " + std::to_string(i));
   }
   RELIEVO_CHECK(relievoBench::DrawCharts("soft-shadows", folder));
   return session.Result();
