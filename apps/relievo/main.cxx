@@ -15,7 +15,7 @@ namespace
 {
 int Run(std::vector<std::string> words)
 {
-  const cli::Commands commands = cli::MakeCommands();
+  const cli::Commands commands = cli::MakeCommands(words.empty() ? "" : words.front());
   std::vector<std::string> names;
   for (const auto& command : commands)
   {

@@ -11,7 +11,7 @@
 #include "vtkRelievoParameterList.h"
 
 #include <algorithm>
-#include <regex>
+#include <cctype>
 #include <set>
 
 namespace cli
@@ -29,6 +29,28 @@ std::string MakeUse(const vtkRelievoParameter& parameter)
   std::string name = parameter.Name;
   std::replace(name.begin(), name.end(), '_', '-');
   return "--" + name + forms.at(parameter.Type);
+}
+
+// Whether the letters on both sides of a place belong to one word.
+bool IsWithinWord(const std::string& text, std::size_t at)
+{
+  const auto isLetter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  return at > 0 && at < text.size() && isLetter(text[at - 1]) && isLetter(text[at]);
+}
+
+// Regular expressions would take a tenth of the time of relievo --help.
+void ReplaceWord(std::string& text, const std::string& word, const std::string& by)
+{
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at))
+  {
+    if (IsWithinWord(text, at) || IsWithinWord(text, at + word.size()))
+    {
+      at += word.size();
+      continue;
+    }
+    text.replace(at, word.size(), by);
+    at += by.size();
+  }
 }
 }
 
@@ -179,7 +201,7 @@ std::string Command::NameOptions(const std::string& text) const
   std::string named = text;
   for (const auto& [parameter, option] : this->OptionOf)
   {
-    named = std::regex_replace(named, std::regex("\\b" + parameter + "\\b"), option);
+    ReplaceWord(named, parameter, option);
   }
   return named;
 }

@@ -44,16 +44,20 @@ Examples
 }
 
 //------------------------------------------------------------------------------
-Commands MakeCommands()
+Commands MakeCommands(const std::string& last)
 {
-  Commands all;
+  Commands made;
   for (const auto& make :
     { MakeRender, MakeCompare, MakeDataset, MakeVisible, MakeViewshed, MakeSun, MakeCover,
       MakeViewFactors, MakeMerge, MakeVerify, MakeStatus, MakeCave, MakeStages, MakeBench })
   {
-    all.push_back(make());
+    made.push_back(make());
+    if (made.back()->Describe().Name == last)
+    {
+      break;
+    }
   }
-  return all;
+  return made;
 }
 
 //------------------------------------------------------------------------------

@@ -13,8 +13,8 @@ namespace cli
 {
 using Commands = std::vector<std::unique_ptr<Command>>;
 
-/// All commands, in the order of the help.
-Commands MakeCommands();
+/// The commands in the order of the help, up to the one with this name; all if there is none.
+Commands MakeCommands(const std::string& last);
 
 /// The output of `relievo --help`.
 std::string GetHelpPage(const Commands& commands);
