@@ -28,6 +28,11 @@ constexpr std::int32_t Outside = std::numeric_limits<std::int32_t>::min();
 constexpr std::size_t ChunkSize = 4096;
 // Corners that are read ahead, of 16 triangles.
 constexpr std::ptrdiff_t Ahead = 48;
+// Triangles whose texels are read ahead, and rows of each: most texels of a map are not in the cache.
+// Those with smaller boxes do not wait for enough texels.
+constexpr std::size_t Waiting = 16;
+constexpr int RowsAhead = 16;
+constexpr std::int64_t SmallBox = 9;
 // Below, starting threads takes longer than they save.
 constexpr std::size_t FewestChunks = 4;
 // Texels of a triangle's box from which threads share it, by rows.
@@ -207,6 +212,66 @@ void Fill(const Target& target, const Triangle& triangle, const Box& box)
   }
 }
 
+// Has memory read into the cache while the processor works on.
+void Fetch(const void* place)
+{
+#ifdef __GNUC__
+  __builtin_prefetch(place);
+#else
+  (void)place;
+#endif
+}
+
+// Triangles that wait for their texels to be read into the cache.
+template <typename Way>
+class Queue
+{
+public:
+  explicit Queue(const Target& target)
+    : To(target)
+  {
+  }
+
+  // Where the next triangle is placed.
+  Triangle& GetNext() { return this->Triangles[this->Count % Waiting]; }
+
+  // Adds that triangle, and draws the one that has waited longest.
+  void Add()
+  {
+    const Box& box = this->GetNext().Texels;
+    for (int row = box.Low; row <= std::min(box.High, box.Low + RowsAhead - 1); ++row)
+    {
+      const float* const depths = this->To.Depths + row * this->To.Size;
+      Fetch(depths + box.Left);
+      Fetch(depths + box.Right);
+    }
+    ++this->Count;
+    if (this->Count >= Waiting)
+    {
+      this->Draw(this->Count - Waiting);
+    }
+  }
+
+  void DrawRest() const
+  {
+    for (std::size_t i = this->Count - std::min(this->Count, Waiting - 1); i < this->Count; ++i)
+    {
+      this->Draw(i);
+    }
+  }
+
+private:
+  void Draw(std::size_t i) const
+  {
+    const Triangle& triangle = this->Triangles[i % Waiting];
+    Fill<Way>(this->To, triangle, triangle.Texels);
+  }
+
+  const Target& To;
+  std::array<Triangle, Waiting> Triangles;
+  std::size_t Count = 0;
+};
+
 // From a mesh's coordinates to the target's: texels from the lowest left centre, and depth in
 // [0, 1], times w.
 class Transform
@@ -315,16 +380,6 @@ std::vector<glm::dvec4> Cut(const std::array<glm::dvec4, 3>& corners)
   return polygon;
 }
 
-// Has memory read into the cache while the processor works on.
-void Fetch(const void* place)
-{
-#ifdef __GNUC__
-  __builtin_prefetch(place);
-#else
-  (void)place;
-#endif
-}
-
 // Draws a mesh's triangles chunk by chunk. Large ones are kept for the end.
 class Drawing
 {
@@ -380,13 +435,14 @@ public:
     {
       corners[i] = this->ToMap.Get(this->GetPlace(lowest + i));
     }
+    Queue<Way> waiting(this->To);
     std::vector<Triangle> large;
     for (const unsigned int* at = begin; at != end; at += 3)
     {
       if (shared)
       {
-        this->Draw<Way>(
-          at, corners[at[0] - lowest], corners[at[1] - lowest], corners[at[2] - lowest], large);
+        this->Draw(at, corners[at[0] - lowest], corners[at[1] - lowest], corners[at[2] - lowest],
+          waiting, large);
       }
       else if (valid || *std::max_element(at, at + 3) < this->Mesh.NumberOfPlaces)
       {
@@ -395,10 +451,12 @@ public:
         {
           Fetch(this->GetPlace(at[std::min(Ahead, end - 3 - at) + i]));
         }
-        this->Draw<Way>(at, this->ToMap.Get(this->GetPlace(at[0])),
-          this->ToMap.Get(this->GetPlace(at[1])), this->ToMap.Get(this->GetPlace(at[2])), large);
+        this->Draw(at, this->ToMap.Get(this->GetPlace(at[0])),
+          this->ToMap.Get(this->GetPlace(at[1])), this->ToMap.Get(this->GetPlace(at[2])), waiting,
+          large);
       }
     }
+    waiting.DrawRest();
     if (!large.empty())
     {
       const std::lock_guard<std::mutex> lock(this->Adding);
@@ -414,11 +472,11 @@ private:
 
   template <typename Way>
   void Draw(const unsigned int* at, const Corner& a, const Corner& b, const Corner& c,
-    std::vector<Triangle>& large) const
+    Queue<Way>& waiting, std::vector<Triangle>& large) const
   {
     if (a.X != Outside && b.X != Outside && c.X != Outside)
     {
-      this->Draw<Way>(a, b, c, large);
+      this->Draw(a, b, c, waiting, large);
       return;
     }
     const std::vector<glm::dvec4> polygon = Cut({ this->ToMap.Move(this->GetPlace(at[0])),
@@ -434,14 +492,15 @@ private:
     }
     for (std::size_t i = 2; i < corners.size(); ++i)
     {
-      this->Draw<Way>(corners[0], corners[i - 1], corners[i], large);
+      this->Draw(corners[0], corners[i - 1], corners[i], waiting, large);
     }
   }
 
   template <typename Way>
-  void Draw(const Corner& a, const Corner& b, const Corner& c, std::vector<Triangle>& large) const
+  void Draw(const Corner& a, const Corner& b, const Corner& c, Queue<Way>& waiting,
+    std::vector<Triangle>& large) const
   {
-    Triangle triangle;
+    Triangle& triangle = waiting.GetNext();
     if (!Place(this->To, a, b, c, triangle))
     {
       return;
@@ -449,9 +508,13 @@ private:
     const Box& box = triangle.Texels;
     const std::int64_t texels =
       (box.Right - box.Left + 1) * static_cast<std::int64_t>(box.High - box.Low + 1);
-    if (texels < LargeBox)
+    if (texels < SmallBox)
     {
       Fill<Way>(this->To, triangle, box);
+    }
+    else if (texels < LargeBox)
+    {
+      waiting.Add();
     }
     else
     {
