@@ -28,8 +28,8 @@ constexpr std::int32_t Outside = std::numeric_limits<std::int32_t>::min();
 constexpr std::size_t ChunkSize = 4096;
 // Corners that are read ahead, of 16 triangles.
 constexpr std::ptrdiff_t Ahead = 48;
-// Triangles whose texels are read ahead, and rows of each: most texels of a map are not in the cache.
-// Those with smaller boxes do not wait for enough texels.
+// Triangles whose texels are read ahead, and rows of each: most texels of a map are not in the
+// cache. Triangles with smaller boxes wait for too few texels to gain from it.
 constexpr std::size_t Waiting = 16;
 constexpr int RowsAhead = 16;
 constexpr std::int64_t SmallBox = 9;
