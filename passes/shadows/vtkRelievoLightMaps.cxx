@@ -11,6 +11,10 @@
 #include "vtkRelievoMeshTexels.h"
 #include "vtkRelievoMessagesOnce.h"
 #include "vtkRelievoShadowLights.h"
+#include "vtkRelievoSoftwareOpenGL.h"
+#include "vtkRenderer.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -215,7 +219,7 @@ std::string vtkRelievoLightMaps::MakeShade(vtkOpenGLRenderWindow* window, const 
 
 //------------------------------------------------------------------------------
 bool vtkRelievoLightMaps::UpdateStructure(
-  const vtkRelievoShadowLights& lights, bool unlit, bool direct)
+  vtkOpenGLRenderWindow* window, const vtkRelievoShadowLights& lights, bool unlit, bool direct)
 {
   vtkRelievoShadowStructure structure;
   structure.Method = this->Method->GetShader();
@@ -241,6 +245,12 @@ bool vtkRelievoLightMaps::UpdateStructure(
       { entry.Light.ShaderIndex, !entry.Light.Positional, entry.Cube, maps });
     structure.Parts = std::max(structure.Parts, parts);
   }
+  structure.Nearest = structure.Parts > 0 && vtkRelievoIsSoftwareOpenGL() &&
+    this->Work.Maps.GetNearest().Bind(window);
+  if (!structure.Nearest)
+  {
+    this->Work.Maps.GetNearest().Release(window);
+  }
   for (vtkActor* actor : this->Method->GetFound(structure.Lights.size()))
   {
     structure.Found.push_back(actor->GetMapper());
@@ -254,9 +264,35 @@ bool vtkRelievoLightMaps::UpdateStructure(
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoLightMaps::UpdateNearest(vtkOpenGLRenderWindow* window)
+{
+  std::vector<double> reaches;
+  for (const auto& entry : this->Work.Cache.GetEntries())
+  {
+    if (entry.Maps.size() != entry.Light.Centers.size())
+    {
+      continue; // a point
+    }
+    for (const vtkRelievoShadowLight::Part& part : entry.Light.Parts)
+    {
+      const auto& map = entry.Maps[static_cast<std::size_t>(part.Map)];
+      const glm::dvec2 ray = glm::abs(this->Work.Maps.GetRay(map.View, part.Direction));
+      const auto layer = static_cast<std::size_t>(map.Layer);
+      reaches.resize(std::max(reaches.size(), layer + 1), 0.0);
+      reaches[layer] = std::max({ reaches[layer], ray.x, ray.y });
+    }
+  }
+  this->Work.Maps.GetNearest().Update(window, reaches);
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoLightMaps::DrawMaps(vtkRenderer* renderer)
 {
   const int draws = this->Schedule.Draw(this->Work, renderer);
+  if (this->Work.Structure.Nearest)
+  {
+    this->UpdateNearest(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+  }
   this->Work.Maps.Bind(true);
   return draws;
 }

@@ -56,7 +56,8 @@ public:
 
   // Whether the shaders of receivers must differ from the previous frame's. `unlit`: visibility is
   // requested also where no light is computed. `direct`: the share of the casting lights is.
-  bool UpdateStructure(const vtkRelievoShadowLights& lights, bool unlit, bool direct);
+  bool UpdateStructure(
+    vtkOpenGLRenderWindow* window, const vtkRelievoShadowLights& lights, bool unlit, bool direct);
 
   ///@{
   // Draws the missing maps and binds all; then draws the method's own data. Both return the draw
@@ -97,6 +98,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  void UpdateNearest(vtkOpenGLRenderWindow* window);
   void UseMethod(int method, vtkOpenGLRenderWindow* window); // the context is current
   void PrepareMethod(vtkRelievoFrameContext& context, vtkRelievoMessagesOnce& messages);
   bool IsRefused(int method) const;

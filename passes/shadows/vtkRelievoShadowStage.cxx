@@ -322,7 +322,7 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
   }
   const bool direct = context.IsPlanned(vtkRelievoResources::DirectLight) &&
     !context.IsPlanned(vtkRelievoResources::Shading);
-  if (in.Maps.UpdateStructure(in.Lights, in.LayersAsked, direct))
+  if (in.Maps.UpdateStructure(in.Window, in.Lights, in.LayersAsked, direct))
   {
     this->ModifyShaders();
     in.Volumes.ModifyShaders();

@@ -27,6 +27,26 @@ float relievoShadowDepthAt(int layer, ivec2 texel)
   return inside == texel && depth < 1.0 ? depth : 1e9;
 }
 
+#ifdef RELIEVO_SHADOW_NEAREST
+// For each block of texels, the least depth of any texel that a ray from there may pass
+// (vtkRelievoNearestDepths); the binary logarithm of a block's side is RELIEVO_SHADOW_NEAREST.
+uniform samplerBuffer relievoShadowNearest;
+uniform int relievoShadowBlocks; // on a map's side
+#endif
+
+// The depth in front of which nothing blocks a ray that starts at a texel, with that depth.
+float relievoShadowNearestTo(int layer, ivec2 texel, float depth)
+{
+#ifdef RELIEVO_SHADOW_NEAREST
+  ivec2 block = clamp(texel >> RELIEVO_SHADOW_NEAREST, ivec2(0), ivec2(relievoShadowBlocks - 1));
+  int at = (layer * relievoShadowBlocks + block.y) * relievoShadowBlocks + block.x;
+  float nearest = texelFetch(relievoShadowNearest, at).r;
+  return depth <= 1.0 ? nearest : 0.0; // rays from beyond the map's depths reach farther
+#else
+  return 0.0;
+#endif
+}
+
 // Of the part that the present pixel's cell has.
 int relievoShadowPartNumber()
 {
@@ -69,7 +89,8 @@ float relievoShadowPart(int light, int first, vec3 position, vec3 normalVC)
   float within = fract(0.6180339887 * float(number) + 0.5);
   float before = place.z;
   bool wasBelow = seen < min(place.z, surface);
-  if (traced)
+  float nearest = relievoShadowNearestTo(layer, at, place.z);
+  if (traced && (wasBelow || before >= nearest))
   {
     float i = 0.0;
     do
@@ -85,7 +106,7 @@ float relievoShadowPart(int light, int first, vec3 position, vec3 normalVC)
       wasBelow = below;
       before = own;
       i += 1.0;
-    } while (open && i < steps);
+    } while (open && i < steps && (wasBelow || before >= nearest));
   }
   return open || !relievoShadowSees(place) ? 1.0 : 0.0;
 }

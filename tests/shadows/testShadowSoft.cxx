@@ -27,6 +27,7 @@
 #include <vtkRelievoLightSamples.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
+#include <vtkRelievoTextureBuffer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -286,6 +287,36 @@ void TestFollowed(double angle, int maps, double limit)
   RELIEVO_CHECK_AT_MOST(std::abs(mean / count), Limit, what + ": mean error");
 }
 
+// Rays that end in front of all casters around them give the same picture as those that go on,
+// which are traced where no texture has room for the nearest depths.
+void TestNearest()
+{
+  ShadowStage stage(160, 120);
+  stage.AddThings();
+  stage.AddSun(-3., 4., -2.);
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  shadows->EnabledOn();
+  shadows->SetMapSize(512);
+  shadows->SetSoftSamples(24);
+  shadows->SetSunAngle(8.);
+  shadows->SetSoftMaps(4);
+  vtkNew<vtkRelievoAntialiasStage> antialias;
+  antialias->SetSamples(24);
+  stage.GetFrame()->AddStage(antialias);
+  stage.GetFrame()->WaitForSamplesOn();
+  const auto shorter = relievoTest::Picture(stage.Window);
+  const vtkIdType bytes = stage.GetFrame()->GetBytesHeld();
+  constexpr int Blocks = 32 * 32 * 4; // of 256 / 8 a side
+  vtkRelievoTextureBuffer::SetMostTexels(Blocks - 1);
+  shadows->SetStrength(0.5);
+  stage.Window->Render();
+  shadows->SetStrength(1.);
+  const auto whole = relievoTest::Picture(stage.Window);
+  vtkRelievoTextureBuffer::SetMostTexels(0);
+  RELIEVO_CHECK(bytes - stage.GetFrame()->GetBytesHeld() >= 4 * Blocks);
+  relievoTest::SamePicture(shorter, whole, "rays to their ends");
+}
+
 void TestMesh(const std::string& name, SceneLight kind, double size, double limit,
   const std::vector<int>& methods = { vtkRelievoShadowStage::METHOD_EXACT })
 {
@@ -400,6 +431,7 @@ RELIEVO_TEST_CASE(testShadowSoft)
   TestFollowed(2., 8, 0.05);  // three pixels of penumbra
   TestFollowed(10., 8, 0.03); // a map for each of 24 samples: 0.031
   TestFollowed(10., 1, 0.06);
+  TestNearest();
   TestMesh("bunny", SceneLight::Sun, 6., Limit,
     { vtkRelievoShadowStage::METHOD_MAP, vtkRelievoShadowStage::METHOD_EXACT });
   return session.Result();

@@ -92,7 +92,6 @@ std::string vtkRelievoColorBuffers::Allocate(
   }
   this->Color = MakeTexture(this->Window, format, size[0], size[1]);
   this->Linear[0] = MakeTexture(this->Window, format, size[2], size[3]);
-  this->Linear[1] = MakeTexture(this->Window, format, size[2], size[3]);
   this->Depth = vtkSmartPointer<vtkTextureObject>::New();
   this->Depth->SetContext(this->Window);
   if (depth.Stencil)
@@ -143,6 +142,15 @@ std::string vtkRelievoColorBuffers::Allocate(
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoColorBuffers::MakeSecond()
+{
+  if (!this->Linear[1])
+  {
+    this->Linear[1] = MakeTexture(this->Window, this->GetFormat(), this->Size[2], this->Size[3]);
+  }
+}
+
+//------------------------------------------------------------------------------
 unsigned int vtkRelievoColorBuffers::GetFormat() const
 {
   return this->Floats ? GL_RGBA32F : GL_RGBA16F;
@@ -159,7 +167,7 @@ vtkIdType vtkRelievoColorBuffers::GetBytes() const
   const vtkIdType seen = static_cast<vtkIdType>(this->Size[2]) * this->Size[3];
   // Four components, and one word of depth.
   const vtkIdType color = this->Floats ? 16 : 8;
-  return (color + 4) * all * (1 + this->NumberOfSamples) + 2 * color * seen;
+  return (color + 4) * all * (1 + this->NumberOfSamples) + (this->Linear[1] ? 2 : 1) * color * seen;
 }
 
 //------------------------------------------------------------------------------

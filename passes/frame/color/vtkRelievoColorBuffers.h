@@ -35,6 +35,10 @@ struct vtkRelievoColorBuffers
   // Whether the framebuffer bound for drawing has the depth format of these buffers.
   bool HasBoundDepth() const;
 
+  // Makes the second linear colour, which pictures without a stage that replaces the colour do not
+  // need.
+  void MakeSecond();
+
   // OpenGL's format of the colours.
   unsigned int GetFormat() const;
 
@@ -48,7 +52,8 @@ struct vtkRelievoColorBuffers
   vtkSmartPointer<vtkRenderbuffer> Samples[2]; // colour and depth, multisampled
   vtkSmartPointer<vtkTextureObject> Color;     // single-sampled, as drawn
   vtkSmartPointer<vtkTextureObject> Depth;
-  vtkSmartPointer<vtkTextureObject> Linear[2]; // the first one holds the present colour
+  vtkSmartPointer<vtkTextureObject> Linear[2]; // the first one holds the present colour;
+                                               // the second: see MakeSecond
   vtkSmartPointer<vtkOpenGLFramebufferObject> Pen;
   int Size[4] = { 0, 0, 0, 0 }; // of the framebuffer, and of the viewport
   int NumberOfSamples = 0;

@@ -402,6 +402,7 @@ bool vtkRelievoColorTarget::Draw(
   if (replaces)
   {
     where = this->Made.With(where);
+    this->Buffers.MakeSecond();
     this->DrawOnto(context, quad, 1, false, where);
     std::swap(this->Buffers.Linear[0], this->Buffers.Linear[1]);
     this->Made = where;

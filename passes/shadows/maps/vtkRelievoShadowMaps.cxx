@@ -90,6 +90,7 @@ bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int
   this->Window = window;
   this->Size = size;
   this->Layers = layers;
+  this->Nearest.Begin(size, layers);
   const int side = layers > 0 ? size : 1;
   this->Texture = MakeArray(GL_DEPTH_COMPONENT32F, side, side, std::max(1, layers));
   if (!this->Texture)
@@ -126,6 +127,15 @@ glm::dmat4 vtkRelievoShadowMaps::GetNDCToMap(int size)
   m[0].x = m[1].y = half;
   m[3] = glm::dvec4(half - 0.5, half - 0.5, 0.5, 1.0);
   return m;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec2 vtkRelievoShadowMaps::GetRay(
+  const vtkRelievoShadowView& view, const glm::dvec3& direction) const
+{
+  const glm::dvec3 ray =
+    glm::dmat3(GetNDCToMap(this->Size) * view.ViewToNDC * view.WorldToView) * direction;
+  return -glm::dvec2(ray) / ray.z;
 }
 
 //------------------------------------------------------------------------------
@@ -199,6 +209,7 @@ bool vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
           failed = true;
           this->Raster = vtkRelievoDepthRaster();
         }
+        return 0;
       });
     });
     drawn = drawn && !failed && !this->Raster.GetDepths().empty();
@@ -213,14 +224,19 @@ bool vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
     const GLfloat farthest = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
   }
+  int draws = 0;
   forPieces([&](const vtkRelievoShadowView& piece, const int region[4]) {
-    this->DrawPiece(piece, region, renderer, drawn, casters);
+    draws += this->DrawPiece(piece, region, renderer, drawn, casters);
   });
+  if (!drawn || draws > 0)
+  {
+    this->Nearest.Forget(layer);
+  }
   return drawn;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowMaps::DrawPiece(const vtkRelievoShadowView& view, const int region[4],
+int vtkRelievoShadowMaps::DrawPiece(const vtkRelievoShadowView& view, const int region[4],
   vtkRenderer* renderer, bool others, const Casters& casters)
 {
   vtkOpenGLState* state = this->Window->GetState();
@@ -239,8 +255,9 @@ void vtkRelievoShadowMaps::DrawPiece(const vtkRelievoShadowView& view, const int
   vtkCamera*& active = vtkRelievoAccess::Renderer::CameraInUse(renderer);
   vtkCamera* const own = active;
   active = this->Camera;
-  casters(view, others);
+  const int draws = casters(view, others);
   active = own;
+  return draws;
 }
 
 //------------------------------------------------------------------------------
@@ -262,6 +279,7 @@ void vtkRelievoShadowMaps::Write(int layer, const std::vector<float>& depths)
   glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, this->Size, this->Size, 1,
     GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
   this->BindTexture(this->Empty);
+  this->Nearest.Set(layer, depths);
 }
 
 //------------------------------------------------------------------------------
@@ -312,6 +330,7 @@ void vtkRelievoShadowMaps::Unbind()
     this->Window->GetState()->GetTextureUnitManager()->Free(this->Unit);
   }
   this->Unit = -1;
+  this->Nearest.Unbind();
 }
 
 //------------------------------------------------------------------------------
@@ -327,6 +346,7 @@ void vtkRelievoShadowMaps::Release(vtkWindow* window)
   {
     return; // the resources belong to another window
   }
+  this->Nearest.Release(window);
   if (window && this->Texture)
   {
     // Not by the weak pointer, which is null in the window's own destructor.

@@ -8,6 +8,7 @@
 
 #include "vtkNew.h"
 #include "vtkRelievoDepthRaster.h"
+#include "vtkRelievoNearestDepths.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoShadowFit.h"
 #include "vtkSmartPointer.h"
@@ -54,17 +55,20 @@ public:
   // NDC to map space: texels from the centre of the lowest left one, depth in [0, 1].
   static glm::dmat4 GetNDCToMap(int size);
 
+  // The way of parallel rays with this direction through a map: texels per depth.
+  glm::dvec2 GetRay(const vtkRelievoShadowView& view, const glm::dvec3& direction) const;
+
   // Draws one map: `casters` is called with the view as the renderer's camera, once for each piece
   // of an uneven map, between Begin and End, which save and restore OpenGL's state. Sets the view's
   // matrices to exactly those used for drawing.
   void Begin();
   // `inMemory`, if given, is called first, also for each piece: it draws casters by the processor
   // into a part of the map (x, y, width, height), and returns whether the map has any. `casters`
-  // draws the others, or all if memory has no room for the map. Returns whether `inMemory` drew
-  // any.
+  // draws the others, or all if memory has no room for the map, and returns the number of its draw
+  // calls. Returns whether `inMemory` drew any.
   using CastersInMemory =
     std::function<bool(const vtkRelievoShadowView&, const int[4], vtkRelievoDepthRaster&)>;
-  using Casters = std::function<void(const vtkRelievoShadowView&, bool others)>;
+  using Casters = std::function<int(const vtkRelievoShadowView&, bool others)>;
   bool Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
     const CastersInMemory& inMemory, const Casters& casters);
   void End();
@@ -82,13 +86,19 @@ public:
   void Unbind();
   int GetTextureUnit() const { return this->Unit; }
 
+  vtkRelievoNearestDepths& GetNearest() { return this->Nearest; }
+  const vtkRelievoNearestDepths& GetNearest() const { return this->Nearest; }
+
   int GetSize() const { return this->Size; }
-  vtkIdType GetBytes() const { return this->Texture ? GetBytes(this->Size, this->Layers) : 0; }
+  vtkIdType GetBytes() const
+  {
+    return (this->Texture ? GetBytes(this->Size, this->Layers) : 0) + this->Nearest.GetBytes();
+  }
   static vtkIdType GetBytes(int size, int maps);
   void Release(vtkWindow* window);
 
 private:
-  void DrawPiece(const vtkRelievoShadowView& view, const int region[4], vtkRenderer* renderer,
+  int DrawPiece(const vtkRelievoShadowView& view, const int region[4], vtkRenderer* renderer,
     bool others, const Casters& casters);
   void BindTexture(unsigned int texture);
 
@@ -96,6 +106,7 @@ private:
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkRelievoScopedState> SavedState; // between Begin and End
   vtkRelievoDepthRaster Raster;                      // between Begin and End
+  vtkRelievoNearestDepths Nearest;
   vtkSmartPointer<vtkCamera> Camera;
   unsigned int Texture = 0;
   unsigned int Empty = 0;

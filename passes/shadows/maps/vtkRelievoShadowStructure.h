@@ -41,6 +41,7 @@ struct vtkRelievoShadowStructure
   bool Highlights = true;    // whether a surface has any
   int Numbers = 0;           // lights of the renderer
   int Parts = 0;             // of soft lights
+  bool Nearest = false;      // whether their rays end in front of all casters around them
   bool Unlit = false;        // visibility is needed even if no light is computed
   bool Direct = false;       // whether the share of the casting lights is asked for
   // The mappers of actors whose verdicts the method finds before the picture; for comparison only.
@@ -63,8 +64,8 @@ struct vtkRelievoShadowStructure
       this->Harmonics == other.Harmonics && this->Spread == other.Spread &&
       this->Tinted == other.Tinted && this->WideFilter == other.WideFilter &&
       this->Highlights == other.Highlights && this->Numbers == other.Numbers &&
-      this->Parts == other.Parts && this->Unlit == other.Unlit && this->Direct == other.Direct &&
-      this->Found == other.Found;
+      this->Parts == other.Parts && this->Nearest == other.Nearest && this->Unlit == other.Unlit &&
+      this->Direct == other.Direct && this->Found == other.Found;
   }
 };
 

@@ -6,6 +6,7 @@
 #include "vtkMapper.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoNearestDepths.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoShadowCatcher.h"
 #include "vtkRelievoShadowStructure.h"
@@ -223,6 +224,10 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   if (structure.Parts > 0)
   {
     dec << "#define RELIEVO_SHADOW_PARTS " << structure.Parts << "\n";
+  }
+  if (structure.Nearest)
+  {
+    dec << "#define RELIEVO_SHADOW_NEAREST " << vtkRelievoNearestDepths::BlockPower << "\n";
   }
   dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
   dec << (structure.Spread ? "#define RELIEVO_VOLUME_SPREAD\n" : "");

@@ -48,10 +48,7 @@ void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
       std::transform(light.Parts.begin(), light.Parts.end(), rays.end() - parts,
         [&](const vtkRelievoShadowLight::Part& part) {
           const vtkRelievoShadowView& view = entry.Maps[static_cast<std::size_t>(part.Map)].View;
-          const glm::dvec3 ray = glm::dmat3(vtkRelievoShadowMaps::GetNDCToMap(work.Maps.GetSize()) *
-                                   view.ViewToNDC * view.WorldToView) *
-            part.Direction;
-          return glm::vec3(-glm::dvec2(ray) / ray.z, part.Map);
+          return glm::vec3(work.Maps.GetRay(view, part.Direction), part.Map);
         });
     }
     first += work.Structure.Lights[strengths.size()].GetRoom();
@@ -81,6 +78,10 @@ void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
       reinterpret_cast<const float(*)[3]>(rays.data()));
     program->SetUniform2f("relievoShadowPartStep", &work.PartStep.x);
     program->SetUniformf("relievoShadowSteps", MostSteps);
+    if (work.Structure.Nearest)
+    {
+      work.Maps.GetNearest().Tell(program);
+    }
   }
 }
 
