@@ -495,8 +495,7 @@ void vtkRelievoFrameRun::FindHidden(HiddenPoints& hidden) const
     };
     if (vtkRelievoHiddenPoints::IsPossible(*prop) && std::none_of(props, end, shares))
     {
-      hidden.emplace_back(
-        new vtkRelievoHiddenPoints(*prop, context.Renderer, false, this->PointGroups));
+      hidden.emplace_back(new vtkRelievoHiddenPoints(*prop, context.Renderer, this->PointGroups));
     }
   }
 }

@@ -524,7 +524,7 @@ vtkSmartPointer<vtkImageData> DrawShell(const ShellCase& test, vtkActor* actor, 
   light->SetPosition(1.0, 4.0, 2.5);
   const auto picture = Picture(scene.Window);
   vtkRelievoPointGroups groups;
-  const vtkRelievoHiddenPoints hidden(actor, scene.Renderer, false, groups);
+  const vtkRelievoHiddenPoints hidden(actor, scene.Renderer, groups);
   seen = hidden.GetNumberOfSeen();
   return picture;
 }

@@ -3,7 +3,7 @@
 //
 // Depths that the processor draws into maps: those of the first triangle on the ray of each texel,
 // found in double without a projection; one triangle for a centre on an edge; the number of threads
-// makes no difference. Maps of whole scenes are those that OpenGL draws by VTK's shader, but for
+// makes no difference. Those of points are the least ones within the radius. Maps of whole scenes are those that OpenGL draws by VTK's shader, but for
 // outlines, which OpenGL rounds to 1/256 texel; and an actor in two windows casts in both.
 #include "vtkRelievoDepthRaster.h"
 
@@ -17,11 +17,16 @@
 
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
+#include <vtkCellArray.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
+#include <vtkNew.h>
 #include <vtkOpenGLError.h> // for OpenGL
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoPointGroups.h>
 #include <vtkRelievoShadowStage.h>
 #include <vtkRelievoSoftwareOpenGL.h>
 #include <vtkRenderWindow.h>
@@ -29,6 +34,8 @@
 #include <vtkShaderProperty.h>
 #include <vtkSphereSource.h>
 #include <vtkStripper.h>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -310,6 +317,79 @@ void TestInvalid()
   RELIEVO_CHECK(raster.GetDepths() == std::vector<float>(raster.GetDepths().size(), 0.5f));
 }
 
+// Many points, of which nearer ones hide most: each texel has the depth of the nearest point within
+// the radius. Those in front of the near plane are cut off, or at depth 0.
+void TestPoints()
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> one(-1.1f, 1.1f);
+  vtkNew<vtkPoints> places;
+  vtkNew<vtkCellArray> verts;
+  for (vtkIdType i = 0; i < 30000; ++i)
+  {
+    places->InsertNextPoint(one(random), one(random), one(random));
+    verts->InsertNextCell(1, &i);
+  }
+  places->SetPoint(5, std::nan(""), 0.0, 0.0);
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(places);
+  mesh->SetVerts(verts);
+  vtkRelievoPointGroups groups;
+  const int part[4] = { 10, 20, 30, 25 };
+  const glm::dmat4 lamp = glm::perspective(1.2, 1.0, 0.9, 4.0) *
+    glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.0, -1.8));
+  for (const double diameter : { 1.0, 4.0, 9.5 })
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      const glm::dmat4 matrix = (i & 1) != 0 ? lamp : glm::dmat4(1.0);
+      const int* region = (i & 2) != 0 ? part : Whole;
+      const bool clamps = (i & 4) != 0;
+      vtkRelievoDepthRaster raster;
+      raster.Clear(Size);
+      raster.Draw(groups.Get(mesh), diameter, matrix, region, clamps);
+      std::vector<Range> ranges(static_cast<std::size_t>(Size) * Size);
+      for (vtkIdType k = 0; k < places->GetNumberOfPoints(); ++k)
+      {
+        double place[3];
+        places->GetPoint(k, place);
+        const glm::dvec4 clip = matrix * glm::dvec4(place[0], place[1], place[2], 1.0);
+        const glm::dvec3 at = 0.5 * glm::dvec3(clip) / clip.w + 0.5;
+        if (!(clip.w > 0.0 && at.z <= 1.0 && (clamps || at.z >= 0.0)))
+        {
+          continue;
+        }
+        const glm::dvec2 texel(region[0] + at.x * region[2], region[1] + at.y * region[3]);
+        for (int y = std::max(region[1], static_cast<int>(texel.y - diameter));
+             y < std::min<double>(region[1] + region[3], texel.y + diameter); ++y)
+        {
+          for (int x = std::max(region[0], static_cast<int>(texel.x - diameter));
+               x < std::min<double>(region[0] + region[2], texel.x + diameter); ++x)
+          {
+            Range& range = ranges[static_cast<std::size_t>(y) * Size + x];
+            const double away = glm::distance(texel, glm::dvec2(x + 0.5, y + 0.5)) - diameter / 2.0;
+            const double z = std::max(at.z, 0.0);
+            range.Low = away < 1e-4 ? std::min(range.Low, z) : range.Low;
+            range.High = away < -1e-4 ? std::min(range.High, z) : range.High;
+          }
+        }
+      }
+      int wrong = 0;
+      int covered = 0;
+      for (std::size_t k = 0; k < ranges.size(); ++k)
+      {
+        const double depth = raster.GetDepths()[k];
+        wrong += depth < ranges[k].Low - 1e-6 || depth > ranges[k].High + 1e-6 ? 1 : 0;
+        covered += depth < 1.0 ? 1 : 0;
+      }
+      const std::string what =
+        "points of " + std::to_string(diameter) + " texels, case " + std::to_string(i);
+      RELIEVO_CHECK_AT_MOST(wrong, 0, what + ": wrong texels");
+      RELIEVO_CHECK_THAT(covered > region[2] * region[3] / 2, what + ": nothing drawn");
+    }
+  }
+}
+
 // A part of the map, as for uneven maps: nothing beside it changes.
 void TestRegion()
 {
@@ -520,6 +600,7 @@ RELIEVO_TEST_CASE(testDepthRaster)
   TestEdges();
   TestThreads();
   TestInvalid();
+  TestPoints();
   TestRegion();
   TestOpenGL("sun", glm::dvec3(0.), false);
   TestOpenGL("sun, far from the origin", glm::dvec3(1e6, 2e6, -1e6), false);

@@ -45,22 +45,18 @@ constexpr float Infinity = std::numeric_limits<float>::infinity();
 struct Spheres
 {
   double Radius = 0.5; // pixels
-  bool Flat = false;
   bool Parallel = false;
   double S = 0.0; // VTK's ZCalcS
   double R = 0.0; // VTK's ZCalcR
 
-  double GetScale(double z) const
-  {
-    return this->Flat ? -1.0 : this->Parallel ? this->S * this->R : z - this->S;
-  }
+  double GetScale(double z) const { return this->Parallel ? this->S * this->R : z - this->S; }
   // At a distance from the centre, squared, in pixels.
   double GetShare(double distance2) const
   {
     const double height =
       std::sqrt(std::min(std::max(0.0, 1.0 - distance2 / (this->Radius * this->Radius)), 1.0));
     const double near = height * this->R;
-    return this->Flat ? 0.0 : this->Parallel ? height : near / (1.0 - near);
+    return this->Parallel ? height : near / (1.0 - near);
   }
 };
 
@@ -481,33 +477,21 @@ private:
   std::vector<char> Changed;    // per block, after its farthest z was found
 };
 
-// The mapper, if it draws only spheres at the points of vertices, by VTK's own code, from existing
-// buffers.
+// The mapper, if it draws from existing buffers, by numbers of points alone.
 vtkOpenGLPolyDataMapper* GetMapperOfSpheres(vtkProp* prop)
 {
-  if (!vtkRelievoHiddenPoints::IsPossible(prop))
+  vtkPolyData* mesh = vtkRelievoHiddenPoints::GetMesh(prop);
+  if (!mesh)
   {
     return nullptr;
   }
   auto* actor = static_cast<vtkActor*>(prop);
   auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
-  vtkProperty* property = actor->GetProperty();
-  mapper->GetBounds(); // updates the mapper's input
-  vtkPolyData* mesh = mapper->GetInput();
-  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-  // VTK looks colours of cells up by the number of the drawn primitive.
-  const bool others = mesh->GetNumberOfVerts() != mesh->GetNumberOfCells() ||
-    property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility() ||
-    actor->GetTexture() || property->GetNumberOfTextures() > 0 ||
-    vtkRelievoPlainActor::HasOwnShaders(actor) ||
-    vtkRelievoCutSurface::GetCutoff(actor->GetPropertyKeys()) > 0.0 ||
-    vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_OFF ||
-    (planes && planes->GetNumberOfItems() > 0) || actor->HasTranslucentPolygonalGeometry() ||
-    Access::HasCellColors(mapper);
   const bool current = mapper->CurrentInput == mesh &&
     Access::BuildTime(mapper) >= mesh->GetMTime() &&
     Access::BuildTime(mapper) >= mapper->GetMTime() && Access::AreBuffersOf(mapper, actor);
-  return current && !others ? mapper : nullptr;
+  // VTK looks colours of cells up by the number of the drawn primitive.
+  return current && !Access::HasCellColors(mapper) ? mapper : nullptr;
 }
 
 // The origin of the positions that the buffer stores as floats.
@@ -541,8 +525,31 @@ bool vtkRelievoHiddenPoints::IsPossible(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+vtkPolyData* vtkRelievoHiddenPoints::GetMesh(vtkProp* prop)
+{
+  if (!IsPossible(prop))
+  {
+    return nullptr;
+  }
+  auto* actor = static_cast<vtkActor*>(prop);
+  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
+  vtkProperty* property = actor->GetProperty();
+  mapper->GetBounds(); // updates the mapper's input
+  vtkPolyData* mesh = mapper->GetInput();
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  const bool others = mesh->GetNumberOfVerts() != mesh->GetNumberOfCells() ||
+    mapper->GetNumberOfSubPieces() > 1 || property->GetRepresentation() != VTK_SURFACE ||
+    property->GetVertexVisibility() || actor->GetTexture() || property->GetNumberOfTextures() > 0 ||
+    vtkRelievoPlainActor::HasOwnShaders(actor) ||
+    vtkRelievoCutSurface::GetCutoff(actor->GetPropertyKeys()) > 0.0 ||
+    vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_OFF ||
+    (planes && planes->GetNumberOfItems() > 0) || actor->HasTranslucentPolygonalGeometry();
+  return others ? nullptr : mesh;
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoHiddenPoints::vtkRelievoHiddenPoints(
-  vtkProp* prop, vtkRenderer* renderer, bool flat, vtkRelievoPointGroups& groups)
+  vtkProp* prop, vtkRenderer* renderer, vtkRelievoPointGroups& groups)
 {
   vtkOpenGLPolyDataMapper* mapper = GetMapperOfSpheres(prop);
   auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
@@ -571,7 +578,6 @@ vtkRelievoHiddenPoints::vtkRelievoHiddenPoints(
   Spheres spheres;
   const double size = actor->GetProperty()->GetPointSize();
   spheres.Radius = 0.5 * size;
-  spheres.Flat = flat;
   spheres.Parallel = camera->GetParallelProjection() != 0;
   const double depth = viewToNDC->GetElement(2, 2);
   spheres.S = spheres.Parallel ? depth : 0.5 - 0.5 * depth;

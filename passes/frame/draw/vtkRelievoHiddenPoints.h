@@ -15,6 +15,7 @@
 
 class vtkOpenGLIndexBufferObject;
 class vtkOpenGLPolyDataMapper;
+class vtkPolyData;
 class vtkProp;
 class vtkRelievoPointGroups;
 class vtkRenderer;
@@ -25,11 +26,13 @@ public:
   // Whether the prop may draw many points as spheres; fast.
   static bool IsPossible(vtkProp* prop);
 
+  // The mesh, if the prop draws only many spheres at its vertices, by VTK's own code; else nullptr.
+  static vtkPolyData* GetMesh(vtkProp* prop);
+
   // During the lifetime of this object, drawing the prop with the renderer's camera into OpenGL's
-  // viewport leaves out hidden points. `flat`: for a depth map, in which spheres are discs. Does
-  // nothing for other props or few points. `groups` keeps data that do not depend on the camera.
-  vtkRelievoHiddenPoints(
-    vtkProp* prop, vtkRenderer* renderer, bool flat, vtkRelievoPointGroups& groups);
+  // viewport leaves out hidden points. Does nothing for other props or few points. `groups` keeps
+  // data that do not depend on the camera.
+  vtkRelievoHiddenPoints(vtkProp* prop, vtkRenderer* renderer, vtkRelievoPointGroups& groups);
   ~vtkRelievoHiddenPoints();
   vtkRelievoHiddenPoints(const vtkRelievoHiddenPoints&) = delete;
   vtkRelievoHiddenPoints& operator=(const vtkRelievoHiddenPoints&) = delete;

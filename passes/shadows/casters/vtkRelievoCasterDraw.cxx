@@ -19,6 +19,7 @@
 #include "vtkRelievoCutSurface.h"
 #include "vtkRelievoDepthRaster.h"
 #include "vtkRelievoFrameCamera.h"
+#include "vtkRelievoHiddenPoints.h"
 #include "vtkRelievoPlainActor.h"
 #include "vtkRelievoScopedContext.h"
 #include "vtkRelievoShaderLibrary.h"
@@ -422,19 +423,21 @@ void vtkRelievoCasterDraw::Build(vtkProp* prop, vtkRenderer* renderer)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   // Opaque actors are drawn in any frame that is not aborted.
-  if (!actor || !DrawsOnlyFaces(actor) || actor->HasTranslucentPolygonalGeometry() ||
+  if (!actor || !actor->GetMapper() || actor->HasTranslucentPolygonalGeometry() ||
     std::strcmp(actor->GetMapper()->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
   {
     return;
   }
   auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
   vtkPolyData* input = mapper->GetInput();
-  const bool faces = input && input->GetNumberOfPoints() > 0 && input->GetNumberOfVerts() == 0 &&
-    input->GetNumberOfLines() == 0;
+  const bool faces = DrawsOnlyFaces(actor) && input && input->GetNumberOfPoints() > 0 &&
+    input->GetNumberOfVerts() == 0 && input->GetNumberOfLines() == 0;
+  const bool missing = faces ? this->GetBuffers(actor).empty()
+                             : vtkRelievoHiddenPoints::GetMesh(actor) && !IsCurrent(mapper, actor);
   // Buffers that were filled before, but not for this window, may be another window's, which VTK
   // releases when it draws.
   const bool ours = Access::BuildTime(mapper) == 0 || this->IsKnown(mapper);
-  if (faces && ours && this->GetBuffers(actor).empty())
+  if (missing && ours)
   {
     Access::Build(mapper, renderer, actor);
     this->Learn(mapper);

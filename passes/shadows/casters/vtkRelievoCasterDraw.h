@@ -63,7 +63,7 @@ public:
   int Draw(vtkActor* actor); // returns draw calls
   void End();
 
-  // Fills the buffers of a plain mesh that the frame has yet to draw, unless another window may
+  // Fills the buffers of a plain mesh or of many spheres that the frame has yet to draw, unless another window may
   // have some.
   void Build(vtkProp* prop, vtkRenderer* renderer);
 

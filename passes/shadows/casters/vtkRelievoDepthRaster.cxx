@@ -33,6 +33,8 @@ constexpr std::ptrdiff_t Ahead = 48;
 constexpr std::size_t Waiting = 16;
 constexpr int RowsAhead = 16;
 constexpr std::int64_t SmallBox = 9;
+// Groups of points that a thread takes at once.
+constexpr std::size_t GroupsAtOnce = 64;
 // Below, starting threads takes longer than they save.
 constexpr std::size_t FewestChunks = 4;
 // Texels of a triangle's box from which threads share it, by rows.
@@ -93,6 +95,13 @@ struct Target
   float Limit(double z) const { return std::max(static_cast<float>(z), this->Least); }
 };
 
+Target MakeTarget(float* depths, int size, const int region[4], bool clamps)
+{
+  return { depths, static_cast<std::size_t>(size),
+    { region[0], region[0] + region[2] - 1, region[1], region[1] + region[3] - 1 },
+    clamps ? 0.f : -std::numeric_limits<float>::infinity() };
+}
+
 static_assert(sizeof(std::atomic<std::uint32_t>) == sizeof(float), "a depth is 32 bits");
 
 // Lowers a depth: alone, or while other threads do.
@@ -108,6 +117,14 @@ struct Alone
 };
 struct Together
 {
+  static float Get(float& depth)
+  {
+    const std::uint32_t bits =
+      reinterpret_cast<std::atomic<std::uint32_t>&>(depth).load(std::memory_order_relaxed);
+    float now;
+    std::memcpy(&now, &bits, sizeof(now));
+    return now;
+  }
   static void Lower(float& depth, float z)
   {
     auto& shared = reinterpret_cast<std::atomic<std::uint32_t>&>(depth);
@@ -289,6 +306,8 @@ public:
     this->Affine = rows[3] == glm::dvec4(0.0, 0.0, 0.0, 1.0);
   }
 
+  const glm::dmat4& Get() const { return this->Matrix; }
+
   glm::dvec4 Move(const float* place) const
   {
     return this->Matrix * glm::dvec4(place[0], place[1], place[2], 1.0);
@@ -325,6 +344,107 @@ private:
   glm::dmat4 Matrix;
   bool Affine;
 };
+
+// std::floor is a function call for most builds; for numbers of a map.
+int Floor(double value)
+{
+  constexpr int Shift = 1 << 20;
+  return static_cast<int>(value + Shift) - Shift;
+}
+int Ceil(double value)
+{
+  return -Floor(-value);
+}
+
+// A group of points: no point is nearer than Z, or beside the texels, which are none outside of
+// the map.
+struct Cover
+{
+  std::size_t Group;
+  float Z;
+  Box Texels;
+};
+
+Cover GetCover(const Target& target, const vtkRelievoPointGroups::Mesh& points, std::size_t number,
+  double radius, const glm::dmat4& toMap)
+{
+  const vtkRelievoPointGroups::Group& group = points.Groups[number];
+  Cover cover{ number, -1.0f, target.Texels };
+  glm::dvec3 low(std::numeric_limits<double>::max());
+  glm::dvec3 high(-low);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec4 p = toMap *
+      glm::dvec4((corner & 1) != 0 ? group.High.x : group.Low.x,
+        (corner & 2) != 0 ? group.High.y : group.Low.y,
+        (corner & 4) != 0 ? group.High.z : group.Low.z, 1.0);
+    if (!(p.w > 0.0))
+    {
+      return cover; // anywhere
+    }
+    low = glm::min(low, glm::dvec3(p) / p.w);
+    high = glm::max(high, glm::dvec3(p) / p.w);
+  }
+  const double reach = radius + 1.0;
+  const auto limit = [](double value) { return Floor(std::clamp(value, -1e5, 1e5)); };
+  cover.Z = static_cast<float>(low.z - 1e-5); // floats round
+  cover.Texels = { std::max(target.Texels.Left, limit(low.x - reach)),
+    std::min(target.Texels.Right, limit(high.x + reach)),
+    std::max(target.Texels.Low, limit(low.y - reach)),
+    std::min(target.Texels.High, limit(high.y + reach)) };
+  return cover;
+}
+
+// Whether the map has nothing farther than the group.
+bool IsHidden(const Target& target, const Cover& cover)
+{
+  for (int row = cover.Texels.Low; row <= cover.Texels.High; ++row)
+  {
+    float* const depths = target.Depths + row * target.Size;
+    for (int column = cover.Texels.Left; column <= cover.Texels.Right; ++column)
+    {
+      if (Together::Get(depths[column]) > cover.Z)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// Draws discs around the points of a group.
+void DrawDiscs(const Target& target, const vtkRelievoPointGroups::Mesh& points, std::size_t number,
+  double radius, const glm::dmat4& toMap)
+{
+  const vtkRelievoPointGroups::Group& group = points.Groups[number];
+  const glm::dvec4 low = toMap * glm::dvec4(group.Low, 1.0);
+  const Box& box = target.Texels;
+  for (std::size_t i = number > 0 ? points.Groups[number - 1].End : 0; i < group.End; ++i)
+  {
+    const glm::dvec3 place(points.Places[i]);
+    glm::dvec4 p = low + place.x * toMap[0] + place.y * toMap[1] + place.z * toMap[2];
+    p /= p.w;
+    const float z = target.Limit(p.z);
+    // False also if the point is no place.
+    if (!(p.w > 0.0 && z < 1.0f && p.x > box.Left - radius && p.x < box.Right + radius &&
+          p.y > box.Low - radius && p.y < box.High + radius))
+    {
+      continue;
+    }
+    const int highest = std::min(box.High, Floor(p.y + radius));
+    for (int row = std::max(box.Low, Ceil(p.y - radius)); row <= highest; ++row)
+    {
+      const double up = row - p.y;
+      const double half = std::sqrt(std::max(0.0, radius * radius - up * up));
+      const int right = std::min(box.Right, Floor(p.x + half));
+      float* const depths = target.Depths + row * target.Size;
+      for (int column = std::max(box.Left, Ceil(p.x - half)); column <= right; ++column)
+      {
+        Together::Lower(depths[column], z);
+      }
+    }
+  }
+}
 
 // A triangle's texels, with its corners counter-clockwise; false if it contains no centre, or is
 // seen edge-on.
@@ -538,17 +658,50 @@ void vtkRelievoDepthRaster::Clear(int size)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoDepthRaster::Draw(
-  const Mesh& mesh, const glm::dmat4& modelToNDC, const int region[4], bool clamps)
+void vtkRelievoDepthRaster::Allocate()
 {
   if (this->Depths.empty())
   {
     this->Depths.assign(static_cast<std::size_t>(this->Size) * this->Size, 1.f);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDepthRaster::Draw(const vtkRelievoPointGroups::Mesh& points, double diameter,
+  const glm::dmat4& modelToNDC, const int region[4], bool clamps)
+{
+  this->Allocate();
+  const glm::dmat4 toMap = Transform(modelToNDC, region).Get();
+  const Target target = MakeTarget(this->Depths.data(), this->Size, region, clamps);
+  const double radius = 0.5 * std::max(diameter, 1.0);
+  std::vector<Cover> covers;
+  covers.reserve(points.Groups.size());
+  for (std::size_t i = 0; i < points.Groups.size(); ++i)
+  {
+    covers.push_back(GetCover(target, points, i, radius, toMap));
+  }
+  // From the front to the back: most groups behind others need no look at their points.
+  std::sort(covers.begin(), covers.end(), [](const Cover& a, const Cover& b) { return a.Z < b.Z; });
+  const std::size_t chunks = (covers.size() + GroupsAtOnce - 1) / GroupsAtOnce;
+  vtkRelievoForAll(static_cast<vtkIdType>(chunks), [&](vtkIdType chunk) {
+    const std::size_t first = static_cast<std::size_t>(chunk) * GroupsAtOnce;
+    for (std::size_t i = first; i < std::min(first + GroupsAtOnce, covers.size()); ++i)
+    {
+      if (!IsHidden(target, covers[i]))
+      {
+        DrawDiscs(target, points, covers[i].Group, radius, toMap);
+      }
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDepthRaster::Draw(
+  const Mesh& mesh, const glm::dmat4& modelToNDC, const int region[4], bool clamps)
+{
+  this->Allocate();
   const Transform toMap(modelToNDC, region);
-  const Target target{ this->Depths.data(), static_cast<std::size_t>(this->Size),
-    { region[0], region[0] + region[2] - 1, region[1], region[1] + region[3] - 1 },
-    clamps ? 0.f : -std::numeric_limits<float>::infinity() };
+  const Target target = MakeTarget(this->Depths.data(), this->Size, region, clamps);
   Drawing drawing(mesh, toMap, target);
   const std::size_t chunks = drawing.GetNumberOfChunks();
   if (chunks < FewestChunks)

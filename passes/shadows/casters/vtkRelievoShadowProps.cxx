@@ -13,6 +13,7 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProp.h"
@@ -21,8 +22,10 @@
 #include "vtkRelievoCasterDraw.h"
 #include "vtkRelievoCasterRays.h"
 #include "vtkRelievoCutSurface.h"
+#include "vtkRelievoDepthRaster.h"
 #include "vtkRelievoFrameScene.h"
 #include "vtkRelievoHiddenPoints.h"
+#include "vtkRelievoMatrix.h"
 #include "vtkRelievoPropMTime.h"
 #include "vtkRelievoPropMeshes.h"
 #include "vtkRelievoPropParts.h"
@@ -36,6 +39,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace
@@ -438,14 +442,33 @@ void vtkRelievoShadowProps::Render(vtkProp* prop, bool translucent, vtkRenderer*
 //------------------------------------------------------------------------------
 void vtkRelievoShadowProps::RenderAny(const Caster& caster, vtkRenderer* renderer)
 {
-  {
-    const vtkRelievoHiddenPoints hidden(caster.Prop, renderer, true, this->PointGroups);
-    this->Render(caster.Prop, false, renderer);
-  }
+  this->Render(caster.Prop, false, renderer);
   if (caster.Translucent)
   {
     this->Render(caster.Prop, true, renderer);
   }
+}
+
+//------------------------------------------------------------------------------
+// Whether the floats in OpenGL's buffers, which receive the shadows, are within a fraction of a
+// texel of the points. VTK subtracts an origin if it is far from the points.
+bool vtkRelievoShadowProps::HasExactFloats(
+  vtkPolyData* points, vtkActor* actor, const vtkRelievoShadowView& view, const int region[4])
+{
+  double bounds[6];
+  points->GetPoints()->GetBounds(bounds);
+  double farthest = 0.0;
+  for (const double bound : bounds)
+  {
+    farthest = std::max(farthest, std::abs(bound));
+  }
+  const double stored = std::min(farthest, 100.0 * points->GetLength());
+  const glm::dmat4 rows =
+    glm::transpose(view.ViewToNDC * view.WorldToView * vtkRelievoToGlm(actor->GetMatrix()));
+  const double across = 0.5 * std::max(region[2], region[3]) *
+    std::max(glm::length(glm::dvec3(rows[0])), glm::length(glm::dvec3(rows[1]))) /
+    (view.Parallel ? 1.0 : view.Near);
+  return std::ldexp(stored, -24) * across < 0.1;
 }
 
 //------------------------------------------------------------------------------
@@ -462,11 +485,26 @@ int vtkRelievoShadowProps::RasterizeCasters(vtkRenderer* renderer, const vtkReli
     {
       continue;
     }
-    vtkActor* actor = plainDraw.GetPlainActor(caster.Prop);
-    if (!actor && seen.empty())
+    if (seen.empty())
     {
       seen.insert(this->Seen.begin(), this->Seen.end());
     }
+    vtkPolyData* points = vtkRelievoHiddenPoints::GetMesh(caster.Prop);
+    if (points && HasExactFloats(points, static_cast<vtkActor*>(caster.Prop), view, region))
+    {
+      if (seen.count(caster.Prop) > 0)
+      {
+        plainDraw.Build(caster.Prop, renderer); // the picture is drawn faster from buffers
+      }
+      auto* spheres = static_cast<vtkActor*>(caster.Prop);
+      raster.Draw(this->PointGroups.Get(points), spheres->GetProperty()->GetPointSize(),
+        view.ViewToNDC * view.WorldToView * vtkRelievoToGlm(spheres->GetMatrix()), region,
+        view.Clamps());
+      this->Rastered.insert(caster.Prop);
+      ++drawn;
+      continue;
+    }
+    vtkActor* actor = plainDraw.GetPlainActor(caster.Prop);
     if (!actor && seen.count(caster.Prop) > 0)
     {
       plainDraw.Build(caster.Prop, renderer);

@@ -21,6 +21,7 @@
 class vtkActor;
 class vtkMatrix4x4;
 class vtkOpenGLRenderPass;
+class vtkPolyData;
 class vtkProp;
 class vtkRelievoCasterDraw;
 class vtkRelievoDepthRaster;
@@ -97,8 +98,8 @@ public:
   void AddPass(vtkOpenGLRenderPass* pass);
   void RemovePass(vtkOpenGLRenderPass* pass);
 
-  // Draws the plain meshes among the casters by the processor, in place of RenderCasters. Call
-  // BeginRaster before the first view of a map. Returns the number of meshes, which count as draw
+  // Draws the plain meshes and many spheres among the casters by the processor, in place of
+  // RenderCasters. Call BeginRaster before the first view of a map. Returns the number of meshes, which count as draw
   // calls.
   void BeginRaster() { this->Rastered.clear(); }
   bool HasRastered() const { return !this->Rastered.empty(); }
@@ -136,6 +137,8 @@ public:
   bool HasMereReceivers() const { return this->MereReceivers; }
 
 private:
+  static bool HasExactFloats(
+    vtkPolyData* points, vtkActor* actor, const vtkRelievoShadowView& view, const int region[4]);
   static int RenderPlain(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
     const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw);
   void Render(vtkProp* prop, bool translucent, vtkRenderer* renderer);
