@@ -63,8 +63,8 @@ public:
   int Draw(vtkActor* actor); // returns draw calls
   void End();
 
-  // Fills the buffers of a plain mesh or of many spheres that the frame has yet to draw, unless another window may
-  // have some.
+  // Fills the buffers of a plain mesh, or of many spheres, that the frame has yet to draw, unless
+  // another window may have some.
   void Build(vtkProp* prop, vtkRenderer* renderer);
 
   // Whether GetPlainActor may find the prop, which it does not now, once VTK has drawn it.

@@ -99,8 +99,8 @@ public:
   void RemovePass(vtkOpenGLRenderPass* pass);
 
   // Draws the plain meshes and many spheres among the casters by the processor, in place of
-  // RenderCasters. Call BeginRaster before the first view of a map. Returns the number of meshes, which count as draw
-  // calls.
+  // RenderCasters. Call BeginRaster before the first view of a map. Returns the number of meshes,
+  // which count as draw calls.
   void BeginRaster() { this->Rastered.clear(); }
   bool HasRastered() const { return !this->Rastered.empty(); }
   int RasterizeCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view, const int region[4],
