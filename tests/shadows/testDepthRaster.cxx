@@ -4,8 +4,8 @@
 // Depths that the processor draws into maps: those of the first triangle on the ray of each texel,
 // found in double without a projection; one triangle for a centre on an edge; the number of threads
 // makes no difference. Those of points are the least ones within the radius. Maps of whole scenes
-// are those that OpenGL draws by VTK's shader, but for outlines, which OpenGL rounds to 1/256 texel;
-// and an actor in two windows casts in both.
+// are those that OpenGL draws by VTK's shader, but for outlines, which OpenGL rounds to 1/256
+// texel; and an actor in two windows casts in both.
 #include "vtkRelievoDepthRaster.h"
 
 #include "Check.h"
