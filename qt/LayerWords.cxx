@@ -86,6 +86,19 @@ QString NameLayer(const std::string& layer, const LightNames& lights)
 }
 
 //------------------------------------------------------------------------------
+QString GroupLayer(const std::string& layer)
+{
+  const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(layer);
+  constexpr int ofFrame = vtkRelievoLayer::FROM_STAGE | vtkRelievoLayer::FROM_PICTURE;
+  return IsOfVolume(layer)                          ? "Volumes"
+    : vtkRelievoLayerCatalogue::GetIsOfLight(layer) ? "Light and effects"
+    : known.Kind == vtkRelievoLayer::ARRAY          ? ""
+    : known.Kind == vtkRelievoLayer::ID             ? "Objects"
+    : (known.Source & ofFrame) != 0                 ? "Light and effects"
+                                                    : "Surfaces";
+}
+
+//------------------------------------------------------------------------------
 QString GetUnit(const std::string& layer)
 {
   return IsLength(layer) ? WorldUnits : "";

@@ -37,6 +37,10 @@ using LightNames = std::map<std::string, std::string>;
 /// `lights`; an array's own name.
 QString NameLayer(const std::string& layer, const LightNames& lights = {});
 
+/// The group of a layer in lists: "Surfaces", "Objects", "Light and effects" or "Volumes"; empty
+/// for an array.
+QString GroupLayer(const std::string& layer);
+
 /// The unit of a layer's values; empty if none is known.
 QString GetUnit(const std::string& layer);
 

@@ -110,17 +110,29 @@ void SunEdit::SetWords(const QString& words)
 }
 
 //------------------------------------------------------------------------------
+QString SunEdit::NamePartOfDay(double elevation)
+{
+  return elevation > 0.0 ? "day"
+    : elevation > -6.0   ? "civil twilight"
+    : elevation > -12.0  ? "nautical twilight"
+    : elevation > -18.0  ? "astronomical twilight"
+                         : "night";
+}
+
+//------------------------------------------------------------------------------
 QString SunEdit::WritePlace(double azimuth, double elevation, bool byPlace)
 {
   if (!byPlace)
   {
     return elevation < 0.0 ? "Below the horizon: the sun lights from beneath." : "";
   }
+  const QString part = NamePartOfDay(elevation);
   return elevation > 0.0
     ? QString("Day: the sun is %1\u00b0 above the horizon, at azimuth %2\u00b0")
         .arg(elevation, 0, 'f', 1)
         .arg(azimuth, 0, 'f', 1)
-    : QString("Night: the sun is %1\u00b0 below the horizon and gives no light.")
+    : QString("%1: the sun is %2\u00b0 below the horizon and gives no light.")
+        .arg(part.left(1).toUpper() + part.mid(1))
         .arg(-elevation, 0, 'f', 1);
 }
 }

@@ -31,8 +31,13 @@ public:
   /// Text below the rows; empty hides it.
   void SetWords(const QString& words);
 
+  /// The part of the day at this elevation, in degrees: "day" above 0, "civil twilight" above -6,
+  /// "nautical twilight" above -12, "astronomical twilight" above -18, or "night".
+  static QString NamePartOfDay(double elevation);
+
   /// Describes the sun's position: for date and place, "Day: the sun is 65.4° above the
-  /// horizon, at azimuth 179.0°", or that it is night; for angles, a note if it shines from below.
+  /// horizon, at azimuth 179.0°", or that it gives no light; for angles, a note if it shines from
+  /// below.
   static QString WritePlace(double azimuth, double elevation, bool byPlace);
 
   /// Each emits its own signals. Angles are in degrees, the time in hours of the clock, the zone in

@@ -187,7 +187,8 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
   {
     if (found)
     {
-      context.Note(path + ": holds labels, shown by their surfaces; --image box shows the image");
+      context.Note(
+        path + ": holds labels, shown by their surfaces; --image volume shows them as a volume");
     }
     const std::string error = found ? "" : CheckLabels(image);
     if (!error.empty())

@@ -39,11 +39,16 @@ constexpr double Near = 1.6; // in radii of the scene
 constexpr double Reach = 3.0;
 constexpr double Solid = 1.2; // radius at which it begins to fade
 
-// Opacity: opaque inside, 0 at the rim, smooth between.
+// The opacity at the rim, in bytes. VTK's translucent pass divides by at least 0.01, and so darkens
+// what is less opaque: the ground would have a dark ring.
+constexpr long LeastAlpha = 3;
+
+// Opacity: opaque inside, least at the rim, smooth between.
 unsigned char GetAlpha(double radii)
 {
   const double t = std::clamp((Reach - radii) / (Reach - Solid), 0.0, 1.0);
-  return static_cast<unsigned char>(std::lround(255.0 * t * t * (3.0 - 2.0 * t)));
+  return static_cast<unsigned char>(
+    std::max(LeastAlpha, std::lround(255.0 * t * t * (3.0 - 2.0 * t))));
 }
 
 double GetRadius(int ring)

@@ -263,7 +263,10 @@ void vtkRelievoShadowStage::CollectLights(vtkRelievoFrameContext& context)
   Internals& in = *this->Internal;
   vtkRelievoShadowExchange& exchange = in.Maps.Schedule.Exchange;
   const int most = vtkRelievoShadowMaps::GetMostFaces();
-  in.Lights.Collect(context.Renderer, most);
+  const bool separates = context.IsPlanned(vtkRelievoResources::DirectLight) ||
+    !vtkRelievoShadowCatcher::Find(context).empty();
+  in.Lights.Collect(
+    context.Renderer, most, this->SoftSamples > 1 ? &in.Soft.Sizes : nullptr, separates);
   if (exchange.IsOn())
   {
     in.Lights.KeepOnly(exchange.FindCommon(in.Lights.GetNumbers()));

@@ -348,11 +348,12 @@ class Studio(CliTest):
             compare(numpy.ones_like(away), "--light",
                     f"spot:0,3,0,0,9,0,30,intensity={intensity}", others=1.0)
         compare(numpy.ones_like(away), "--light", "sun:0.3,-1,0.2", others=1.0)
-        # Of the fill lights two are above the ground; rays through the triangles darken it alike. A
-        # sun straight behind the camera would cast no shadow that is seen, and counts as fill.
+        # Of the fill lights two are above the ground; rays through the triangles darken it alike.
+        # No shadow is seen of a sun straight behind the camera, but it is no fill light.
         fill = 0.4 * 2 / numpy.sqrt(3) * 0.54
-        for words, step in ([], 6), (["--ambient", "1"], 14):  # rays are noisy
-            compare(numpy.ones_like(away), "--light", "sun:0.001,1,0", *words,
+        for sun, words, step in (("0.001,1,0", [], 6), ("0,1,0", [], 6),
+                                 ("0,1,0", ["--ambient", "1"], 14)):  # rays are noisy
+            compare(numpy.ones_like(away), "--light", f"sun:{sun}", *words,
                     others=fill / (fill + 0.78), step=step)
         # Two points of which the ball hides one, here and there.
         first, dark, bright = lit((4, 3, 0), 1.0)

@@ -64,6 +64,7 @@ WRITES = {
     "32_labels.py": ["labels.png", "labels_depth.png"],
     "33_work_in_parts.py": ["hours.png", "hours.vtp", "hours.vtp.parts"],
     "34_viewshed.py": ["viewshed.png", "viewshed.tif", "viewshed.vtp"],
+    "35_ambient_occlusion.py": ["ambient.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
@@ -90,6 +91,7 @@ SMALLER = {
     "32_labels.py": {"SIZE": (160, 120), "POINTS": 24},
     "33_work_in_parts.py": {"PARTS": 2, "MINUTES": 240, "SIZE": (160, 100)},
     "34_viewshed.py": {"SIZE": (160, 100)},
+    "35_ambient_occlusion.py": {"SIZE": (60, 50)},
 }
 
 

@@ -443,14 +443,14 @@ private Q_SLOTS:
       QStringList(
         { "showScene", "showLight", "showLook", "showLayers", "showReport", "showComparison" }));
     auto* look = this->Window->findChild<QDockWidget*>("look");
-    for (int again = 0; again < 2; ++again)
+    for (const bool open : { true, false }) // behind another tab, then closed
     {
-      QVERIFY(!item->isChecked()); // behind another tab, then closed
+      QCOMPARE(item->isChecked(), open);
       item->trigger();
       QTRY_VERIFY_WITH_TIMEOUT(!look->visibleRegion().isEmpty(), 20000);
       QVERIFY(item->isChecked());
       item->trigger();
-      QVERIFY(look->isHidden());
+      QVERIFY(look->isHidden() && !item->isChecked());
     }
   }
 

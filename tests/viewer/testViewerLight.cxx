@@ -13,6 +13,7 @@
 #include "MessageBar.h"
 #include "Number.h"
 #include "ParameterEdit.h"
+#include "SunEdit.h"
 #include "vtkDataArray.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -430,6 +431,12 @@ private Q_SLOTS:
     QVERIFY2(
       says().contains(QString("Night: the sun is %1").arg(below, 0, 'f', 1)), qPrintable(says()));
     QCOMPARE(this->GetRows()[0], QString("light 0|sun, night"));
+    for (const auto& [elevation, name] : { std::pair(0.1, "day"), std::pair(0.0, "civil twilight"),
+           std::pair(-6.0, "nautical twilight"), std::pair(-12.0, "astronomical twilight"),
+           std::pair(-17.9, "astronomical twilight"), std::pair(-18.0, "night") })
+    {
+      QCOMPARE(relievoQt::SunEdit::NamePartOfDay(elevation), QString(name));
+    }
     QCOMPARE(this->CountLit(), 0);
     this->Compare("night");
     this->GetBox("by")->setCurrentIndex(0);
@@ -798,6 +805,9 @@ private Q_SLOTS:
     this->Window->GetDocument()->Undo();
     QCOMPARE(undone(), QString("&Undo: place of key"));
     QCOMPARE(this->Window->findChild<QAction*>("redo")->text(), QString("&Redo: new light 1"));
+    this->Window->OpenFiles({ QString::fromStdString(this->WriteScene("other.vtp")) });
+    this->WaitUntilRead();
+    QCOMPARE(undone(), QString("&Undo: opening other.vtp"));
   }
 
   // The time zone follows the longitude, and the panel says so, until a zone is typed.
@@ -811,7 +821,8 @@ private Q_SLOTS:
     QVERIFY2(says().contains("UTC+1 (from the longitude"), qPrintable(says()));
     QVERIFY2(!says().contains("In summer"), qPrintable(says())); // where it is day as well
     this->Type("time", 20.5); // sunset is at 21:17 in summer time
-    QVERIFY2(says().startsWith("Night") && says().endsWith("In summer time (UTC+2) it is day."),
+    QVERIFY2(says().startsWith("Civil twilight: the sun is 2.") &&
+        says().endsWith("In summer time (UTC+2) it is day."),
       qPrintable(says()));
     this->Type("time", 12.0);
     this->Type("timezone", 2.0);
@@ -823,6 +834,18 @@ private Q_SLOTS:
       QCOMPARE(this->GetLights()[0], std::string("sun:2026-06-21T12:00+02:00,48,") + longitude);
       QVERIFY2(!says().contains("longitude"), qPrintable(says()));
     }
+    // That it was typed belongs to the settings, which undo brings back: 2 is the zone of 30.
+    this->Window->GetDocument()->Undo();
+    QVERIFY2(!says().contains("longitude"), qPrintable(says()));
+    this->Type("longitude", 60.0);
+    QCOMPARE(this->GetLights()[0], std::string("sun:2026-06-21T12:00+02:00,48,60"));
+    this->Type("longitude", 30.0);
+    QVERIFY2(!says().contains("longitude"), qPrintable(says()));
+    for (int i = 0; i < 6; ++i) // before the zone was typed
+    {
+      this->Window->GetDocument()->Undo();
+    }
+    QVERIFY2(says().contains("UTC+1 (from the longitude"), qPrintable(says()));
   }
 
   // A slider stands where its number is, also before it was ever moved.

@@ -160,6 +160,12 @@ private Q_SLOTS:
     QCOMPARE(this->Get("--color-by"), std::string("Normals,1"));
     QCOMPARE(this->Find<QComboBox>("colors", "colorby")->currentText(), QString("Normals"));
     this->Compare("component");
+    // Whoever looks for the depth among the arrays gets to the layers.
+    auto* by = this->Find<QComboBox>("colors", "colorby");
+    QVERIFY(by->itemText(by->count() - 1).startsWith("Depth"));
+    by->setCurrentIndex(by->count() - 1);
+    QCOMPARE(by->currentText(), QString("Normals"));
+    QTRY_VERIFY_WITH_TIMEOUT(this->Window->findChild<QComboBox*>("layer")->hasFocus(), 20000);
     this->Choose("colors", "component", "");
     QCOMPARE(this->Get("--color-by"), std::string("Normals"));
     auto* map = this->Find<QComboBox>("colors", "colormap");

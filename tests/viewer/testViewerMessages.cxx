@@ -214,7 +214,7 @@ private Q_SLOTS:
   {
     this->Open({ this->WriteScene() });
     PaintWatcher watcher(this->Window->findChild<QLabel*>("words"));
-    auto* bar = this->Window->findChild<QProgressBar*>();
+    auto* bar = this->Window->findChild<QProgressBar*>("progress");
     bar->installEventFilter(&watcher);
     const QString image = QString::fromStdString(this->WriteImage());
     this->Change(

@@ -169,7 +169,7 @@ private Q_SLOTS:
   void busyBar()
   {
     this->Open({ this->WriteScene() });
-    auto* bar = this->Window->findChild<QProgressBar*>();
+    auto* bar = this->Window->findChild<QProgressBar*>("progress");
     std::unique_ptr<SlowFile> slow = this->OpenSlow();
     QVERIFY(!bar->isVisible()); // as for most files
     QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible(), 20000);

@@ -32,6 +32,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScopeGuard>
@@ -483,12 +484,17 @@ private Q_SLOTS:
     QSignalSpy drawn(view, &viewer::PictureView::drawn);
     QSignalSpy painted(view, &QOpenGLWidget::frameSwapped);
     int begun = 0; // samples of new views
-    bool isSaid = false, goesOn = false, isSeen = false;
+    const auto* work = this->Window->findChild<QProgressBar*>("work");
+    bool isSaid = false, goesOn = false, isSeen = false, isGap = false;
+    // The sign of work stays until all samples are there.
+    QObject::connect(view, &viewer::PictureView::drawn, &painted, [&] {
+      isGap = isGap || work->isVisible() != (view->GetPicture().GetFrame()->GetSamplesLeft() > 0);
+    });
     // The window's own slot was called before.
     QObject::connect(view, &viewer::PictureView::drawing, &painted, [&] {
       ++begun;
       drawn.clear();
-      isSaid = said->text().startsWith("Drawing");
+      isSaid = said->text().startsWith("Drawing") && work->isVisible();
       isSeen = painted.count() > 0; // the view before
       painted.clear();
       if (begun == 2) // the next view of a path, which must not wait for this one
@@ -505,7 +511,7 @@ private Q_SLOTS:
     look(-1.0);
     QTRY_VERIFY_WITH_TIMEOUT(begun == 1 && drawn.count() > 0, 60000);
     QVERIFY(isSaid);
-    QVERIFY(!said->text().startsWith("Drawing"));
+    QVERIFY(!said->text().startsWith("Drawing") && !isGap);
     look(1.0);
     QTRY_VERIFY_WITH_TIMEOUT(begun == 3 && drawn.count() > 0, 60000);
     QVERIFY(goesOn && isSeen);
@@ -526,6 +532,28 @@ private Q_SLOTS:
       const int row = box->findData(layer);
       QVERIFY2(row >= 0, layer);
       QCOMPARE(box->itemText(row), QString(name));
+    }
+    // They are grouped under titles, which cannot be chosen.
+    QStringList titles;
+    std::map<QString, QString> groups;
+    for (int row = 0; row < box->count(); ++row)
+    {
+      if (!(box->model()->flags(box->model()->index(row, 0)) & Qt::ItemIsEnabled))
+      {
+        titles += box->itemText(row).isEmpty() ? QStringList() : QStringList(box->itemText(row));
+        continue;
+      }
+      groups[box->itemData(row).toString()] = titles.isEmpty() ? QString() : titles.last();
+    }
+    QCOMPARE(titles,
+      (QStringList{
+        "Surfaces", "Objects", "Light and effects", "Volumes", "Arrays of the files" }));
+    for (const auto& [layer, group] :
+      { std::pair("", ""), std::pair("depth", "Surfaces"), std::pair("cell", "Objects"),
+        std::pair("shadow_0", "Light and effects"), std::pair("fog", "Light and effects"),
+        std::pair("volume", "Volumes"), std::pair("height", "Arrays of the files") })
+    {
+      QCOMPARE(groups[layer], QString(group));
     }
     QCOMPARE(relievoQt::NameLayer("shadow_key_light"), QString("Shadow of key light"));
     // Each light that casts has a row under the name that its user gave it.

@@ -32,6 +32,7 @@
 #include <QProcess>
 #include <QSignalSpy>
 #include <QTableWidget>
+#include <QToolBar>
 #include <QtTest>
 
 #include <algorithm>
@@ -247,6 +248,8 @@ private Q_SLOTS:
     QVERIFY(table->item(0, 1)->text().startsWith("4.4"));
     this->SendMouse(QEvent::MouseMove, QPoint(1, 1), Qt::NoButton);
     QTRY_COMPARE_WITH_TIMEOUT(table->item(0, 1)->text(), QString("background"), 20000);
+    QCOMPARE(this->Window->findChild<QLabel*>("underTheMouse")->text(),
+      QString("Background: nothing of the files is here"));
     this->SendMouse(QEvent::MouseMove, view->rect().center(), Qt::NoButton);
     QTRY_VERIFY_WITH_TIMEOUT(table->item(0, 1)->text().startsWith("4.4"), 20000);
     QEvent left(QEvent::Leave);
@@ -358,7 +361,10 @@ private Q_SLOTS:
   void copiesThePicture()
   {
     this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "shadows:map_size=256" });
-    this->Window->findChild<QAction*>("copyPicture")->trigger();
+    auto* copy = this->Window->findChild<QAction*>("copyPicture");
+    QVERIFY(this->Window->findChild<QToolBar*>("tools")->actions().contains(copy)); // as Ctrl+C
+    QCOMPARE(copy->toolTip(), QString("Copy picture (Ctrl+C)"));
+    copy->trigger();
     QCOMPARE(this->Window->GetTrouble(), QString());
     const QString png = QString::fromStdString(this->Path("copied.png"));
     QVERIFY(QApplication::clipboard()->image().save(png));

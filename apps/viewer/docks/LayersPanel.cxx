@@ -18,6 +18,7 @@
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <QStringList>
 #include <QTableWidget>
 
@@ -29,6 +30,20 @@ namespace viewer
 namespace
 {
 const std::string Stage = "display";
+
+// A title of the rows that follow, which cannot be chosen.
+void AddTitle(QComboBox* box, const QString& title)
+{
+  box->insertSeparator(box->count());
+  box->addItem(title);
+  QFont bold = box->font();
+  bold.setBold(true);
+  box->setItemData(box->count() - 1, bold, Qt::FontRole);
+  if (auto* rows = qobject_cast<QStandardItemModel*>(box->model()))
+  {
+    rows->item(box->count() - 1)->setEnabled(false);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -179,29 +194,47 @@ bool LayersPanel::IsProbing() const
 }
 
 //------------------------------------------------------------------------------
+// A row for a layer of the catalogue, or for each light's shadow.
+void LayersPanel::AddLayer(const std::string& name, const QString& help)
+{
+  relievoQt::LightNames listed = { { name, "" } };
+  if (!vtkRelievoLayerCatalogue::GetIsLayer(name))
+  {
+    listed = this->Lights.empty() ? relievoQt::LightNames{ { "shadow_0", "" } } : this->Lights;
+  }
+  for (const auto& row : listed)
+  {
+    this->Layer->addItem(
+      relievoQt::NameLayer(row.first, this->Lights), QString::fromStdString(row.first));
+    this->Layer->setItemData(this->Layer->count() - 1, help, Qt::ToolTipRole);
+  }
+}
+
+//------------------------------------------------------------------------------
 void LayersPanel::ShowLayers()
 {
   {
     const QSignalBlocker quiet(this->Layer);
     this->Layer->clear();
     this->Layer->addItem("The picture itself", "");
-    for (int i = 0; i < vtkRelievoLayerCatalogue::GetNumberOfLayers(); ++i)
+    for (const char* group : { "Surfaces", "Objects", "Light and effects", "Volumes" })
     {
-      const std::string name = vtkRelievoLayerCatalogue::GetLayerName(i);
-      relievoQt::LightNames listed = { { name, "" } };
-      if (!vtkRelievoLayerCatalogue::GetIsLayer(name)) // a shadow for each light
+      AddTitle(this->Layer, group);
+      for (int i = 0; i < vtkRelievoLayerCatalogue::GetNumberOfLayers(); ++i)
       {
-        listed = this->Lights.empty() ? relievoQt::LightNames{ { "shadow_0", "" } } : this->Lights;
-      }
-      for (const auto& row : listed)
-      {
-        this->Layer->addItem(
-          relievoQt::NameLayer(row.first, this->Lights), QString::fromStdString(row.first));
-        this->Layer->setItemData(this->Layer->count() - 1,
-          QString::fromStdString(vtkRelievoLayerCatalogue::GetLayerHelp(i)), Qt::ToolTipRole);
+        const std::string name = vtkRelievoLayerCatalogue::GetLayerName(i);
+        if (relievoQt::GroupLayer(name) == group)
+        {
+          this->AddLayer(name, QString::fromStdString(vtkRelievoLayerCatalogue::GetLayerHelp(i)));
+        }
       }
     }
-    for (const std::string& name : this->Edited->GetFacts().Layers)
+    const std::vector<std::string>& arrays = this->Edited->GetFacts().Layers;
+    if (!arrays.empty())
+    {
+      AddTitle(this->Layer, "Arrays of the files");
+    }
+    for (const std::string& name : arrays)
     {
       const QString words = QString::fromStdString(name);
       this->Layer->addItem(words, words);

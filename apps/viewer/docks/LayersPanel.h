@@ -51,6 +51,7 @@ private:
   QString ExplainIdle(bool ofColors) const;
   void SetLayer(const std::string& layer);
   void Set(const char* parameter, const std::string& value);
+  void AddLayer(const std::string& name, const QString& help);
   void ShowLayers();
   void ShowRange();
   void ShowSettings();

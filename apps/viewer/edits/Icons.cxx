@@ -60,6 +60,16 @@ Sign DrawCopy()
   return sign;
 }
 
+// A window with the sign at which a shell waits for a command.
+Sign DrawPrompt()
+{
+  Sign sign;
+  sign.Lines.addRect(3, 4.5, 18, 15);
+  sign.Lines.addPath(Polyline({ { 6.5, 9 }, { 10, 12 }, { 6.5, 15 } }));
+  sign.Lines.addPath(Polyline({ { 12, 15.5 }, { 17.5, 15.5 } }));
+  return sign;
+}
+
 Sign DrawUndo()
 {
   Sign sign;
@@ -172,10 +182,10 @@ Sign DrawPause()
 const QMap<QString, Sign>& GetSigns()
 {
   static const QMap<QString, Sign> signs = { { "open", DrawOpen() }, { "savePicture", DrawSave() },
-    { "copyCommand", DrawCopy() }, { "undo", DrawUndo() }, { "redo", Mirror(DrawUndo()) },
-    { "fit", DrawFit() }, { "views", DrawViews() }, { "grid", DrawGrid() },
-    { "panels", DrawPanels() }, { "shadowsOn", DrawShadows() }, { "fullScreen", DrawFullScreen() },
-    { "play", DrawPlay() }, { "pause", DrawPause() } };
+    { "copyPicture", DrawCopy() }, { "copyCommand", DrawPrompt() }, { "undo", DrawUndo() },
+    { "redo", Mirror(DrawUndo()) }, { "fit", DrawFit() }, { "views", DrawViews() },
+    { "grid", DrawGrid() }, { "panels", DrawPanels() }, { "shadowsOn", DrawShadows() },
+    { "fullScreen", DrawFullScreen() }, { "play", DrawPlay() }, { "pause", DrawPause() } };
   return signs;
 }
 

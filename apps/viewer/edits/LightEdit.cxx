@@ -19,6 +19,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -48,6 +49,18 @@ double FindZone(double longitude)
 {
   return std::round(longitude / 15.0);
 }
+
+QString GetPartOfDay(const look::SunTime& time)
+{
+  return relievoQt::SunEdit::NamePartOfDay(look::GetSunAngles(time).Elevation);
+}
+}
+
+//------------------------------------------------------------------------------
+bool HasTypedZone(const scene::Settings& settings, const std::string& light)
+{
+  const std::vector<std::string> typed = settings.GetAll(TypedZones);
+  return std::find(typed.begin(), typed.end(), light) != typed.end();
 }
 
 //------------------------------------------------------------------------------
@@ -253,10 +266,9 @@ void LightEdit::ShowSoftness(const look::LightChoice& light)
 void LightEdit::ShowSun(const look::LightChoice& light)
 {
   const QSignalBlocker quiet[] = { QSignalBlocker(this->Sun->By), QSignalBlocker(this->Sun->Date) };
-  if (light.Time && look::WriteSunTime(*light.Time) != look::WriteSunTime(this->Time))
-  {
-    this->OwnZone = light.Time->TimeZone != FindZone(light.Time->Longitude);
-  }
+  this->OwnZone = light.Time &&
+    (light.Time->TimeZone != FindZone(light.Time->Longitude) ||
+      HasTypedZone(this->Edited->Get(), this->Word));
   this->Time = light.Time.value_or(this->Time);
   this->Sun->Date->setDate(QDate(this->Time.Year, this->Time.Month, this->Time.Day));
   this->Sun->Time->SetValue(this->Time.Hour);
@@ -288,11 +300,10 @@ void LightEdit::ShowWords()
     };
     words += QString(" Clock: %1 (from the longitude, no summer time).")
                .arg(nameZone(this->Time.TimeZone));
-    const bool night = look::GetSunAngles(summer).IsNight();
-    if (night != look::GetSunAngles(this->Time).IsNight())
+    const QString part = GetPartOfDay(summer);
+    if (part != GetPartOfDay(this->Time))
     {
-      words += QString(" In summer time (%1) it is %2.")
-                 .arg(nameZone(summer.TimeZone), night ? "night" : "day");
+      words += QString(" In summer time (%1) it is %2.").arg(nameZone(summer.TimeZone), part);
     }
   }
   this->Sun->SetWords(words);

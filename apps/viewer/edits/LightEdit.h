@@ -29,6 +29,13 @@ namespace viewer
 class ColorButton;
 class TripleEdit;
 
+/// A note among the settings: the words of the suns whose time zone was typed, and does not follow
+/// the longitude, even where it is the longitude's. Undo brings it back; commands do not have it.
+constexpr const char* TypedZones = "(typed zones)";
+
+/// Whether the settings note this of the light.
+bool HasTypedZone(const scene::Settings& settings, const std::string& light);
+
 class LightEdit : public QWidget
 {
   Q_OBJECT
@@ -45,6 +52,9 @@ public:
 
   /// Shows the light. Emits no signal.
   void SetWord(const std::string& word, Owner owner);
+
+  /// Whether the time zone of the sun shown was typed, or is not the longitude's.
+  bool HasOwnZone() const { return this->OwnZone; }
 
   /// Applies a place chosen in the picture: a spot turns there, a point light moves above it.
   void Place(const std::array<double, 3>& place);

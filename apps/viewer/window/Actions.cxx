@@ -26,6 +26,7 @@
 #include <QClipboard>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QGroupBox>
 #include <QMenuBar>
 #include <QSignalBlocker>
@@ -265,11 +266,46 @@ QString NameLights(const std::vector<std::string>& before, const std::vector<std
 }
 
 //------------------------------------------------------------------------------
+// Names the files that were opened, or, if there are none, those that were closed.
+QString NameFiles(const std::vector<std::string>& before, const std::vector<std::string>& after)
+{
+  constexpr int most = 40; // letters
+  const auto findNew = [](
+                         const std::vector<std::string>& from, const std::vector<std::string>& to) {
+    QStringList names;
+    for (const std::string& file : to)
+    {
+      if (std::find(from.begin(), from.end(), file) == from.end())
+      {
+        names += QFileInfo(QString::fromStdString(file)).fileName();
+      }
+    }
+    return names;
+  };
+  const QStringList opened = findNew(before, after);
+  const QStringList names = opened.isEmpty() ? findNew(after, before) : opened;
+  if (names.isEmpty())
+  {
+    return "order of files";
+  }
+  const auto more = names.size() - 1;
+  const QString name = names.front().size() > most
+    ? names.front().left(most - 10) + QChar(0x2026) + names.front().right(9)
+    : names.front();
+  return (opened.isEmpty() ? "closing " : "opening ") + name +
+    (more > 0 ? QString(" and %1 more").arg(more) : QString());
+}
+
+//------------------------------------------------------------------------------
 // Names changes of settings by their control or group; other files bring other settings.
 QString NameChanges(
   const MainWindow* window, const scene::Settings& before, const scene::Settings& after)
 {
   const std::set<std::string> changes = before.GetChanges(after);
+  if (before.Files != after.Files)
+  {
+    return NameFiles(before.Files, after.Files);
+  }
   if (changes == std::set<std::string>{ "--light" })
   {
     const QString name = NameLights(before.GetAll("--light"), after.GetAll("--light"));
@@ -282,13 +318,11 @@ QString NameChanges(
   for (const std::string& change : changes)
   {
     const QString word = QString::fromStdString(change).section(':', 0, 0); // option or stage
-    const auto* group = word.isEmpty() ? nullptr : window->findChild<QGroupBox*>(word);
-    const QString label = word.isEmpty() ? "files"
-      : group                            ? group->title()
-                                         : FindOptionName(word).Label;
+    const auto* group = window->findChild<QGroupBox*>(word);
+    const QString label = group ? group->title() : FindOptionName(word).Label;
     if (label.isEmpty() || (!name.isEmpty() && label != name))
     {
-      return name == "files" ? name : QString("several settings");
+      return "several settings";
     }
     name = label;
   }
@@ -437,16 +471,20 @@ void AddScaleBar(MainWindow* window, QMenu* menu)
 }
 
 //------------------------------------------------------------------------------
-// Shows or hides a panel; ticked while its tab is in front.
+// Brings a panel to the front, or closes the one in front; ticked while it is open, also behind
+// another one's tab.
 void AddPanel(QDockWidget* dock, QMenu* menu)
 {
   QAction* shown = menu->addAction(dock->windowTitle());
   shown->setObjectName("show" + dock->windowTitle());
   shown->setCheckable(true);
-  QObject::connect(dock, &QDockWidget::visibilityChanged, shown, &QAction::setChecked);
-  QObject::connect(shown, &QAction::triggered, dock, [dock](bool on) {
-    dock->setVisible(on);
-    on ? dock->raise() : void();
+  shown->setChecked(!dock->isHidden());
+  QObject::connect(dock->toggleViewAction(), &QAction::toggled, shown, &QAction::setChecked);
+  QObject::connect(shown, &QAction::triggered, dock, [dock, shown] {
+    const bool opens = dock->visibleRegion().isEmpty();
+    dock->setVisible(opens);
+    opens ? dock->raise() : void();
+    shown->setChecked(opens);
   });
 }
 

@@ -5,6 +5,7 @@
 #include "Actions.h"
 #include "AxisMarker.h"
 #include "Colormaps.h"
+#include "ColorsGroup.h"
 #include "ComparisonPanel.h"
 #include "EmptyPage.h"
 #include "FileFacts.h"
@@ -295,7 +296,14 @@ void MainWindow::AddStatus()
   this->Smoothing = new QLabel(this);
   this->Smoothing->setObjectName("smoothing");
   this->Smoothing->setToolTip("Soft shadows and smooth edges are gathered while nothing moves");
+  this->Work = new QProgressBar(this);
+  this->Work->setObjectName("work");
+  this->Work->setMaximumWidth(120);
+  this->Work->setTextVisible(false);
+  this->Work->setToolTip(this->Smoothing->toolTip());
+  this->Work->hide();
   this->Bar = new QProgressBar(this);
+  this->Bar->setObjectName("progress");
   this->Bar->setMaximumWidth(200);
   this->Cancel = new QPushButton("Cancel", this);
   this->Cancel->setObjectName("cancel");
@@ -303,6 +311,7 @@ void MainWindow::AddStatus()
   this->Cancel->hide();
   this->statusBar()->addWidget(this->Words, 1);
   this->statusBar()->addPermanentWidget(this->Smoothing);
+  this->statusBar()->addPermanentWidget(this->Work);
   this->statusBar()->addPermanentWidget(this->Values);
   this->statusBar()->addPermanentWidget(this->Bar);
   this->statusBar()->addPermanentWidget(this->Cancel);
@@ -324,8 +333,12 @@ void MainWindow::Connect()
   QObject::connect(&this->Later, &QTimer::timeout, this, &MainWindow::ShowLate);
   QObject::connect(&this->Quiet, &QTimer::timeout, this, [this] { this->Bar->setRange(0, 0); });
   QObject::connect(this->Shown, &PictureView::drawn, this, &MainWindow::OnDrawn);
-  QObject::connect(this->Shown, &PictureView::drawing, this,
-    [this] { this->Smoothing->setText(QString("Drawing") + QChar(0x2026)); });
+  QObject::connect(this->Shown, &PictureView::drawing, this, [this] {
+    this->FirstIsSlow = true;
+    this->Smoothing->setText(QString("Drawing") + QChar(0x2026));
+    this->Work->setRange(0, 0);
+    this->Work->show();
+  });
   QObject::connect(this->Shown, &PictureView::returned, this, &MainWindow::CatchUp);
   QObject::connect(this->Shown, &PictureView::pointed, this, &MainWindow::PointAt);
   LightsGroup* lights = this->Light->GetLights();
@@ -357,6 +370,8 @@ void MainWindow::Connect()
     this->Edited->Change(
       [](scene::Settings& settings) { settings.SetParameter("display", "layer", ""); });
   });
+  QObject::connect(this->findChild<ColorsGroup*>(), &ColorsGroup::layersWanted, this,
+    [this] { this->findChild<QAction*>("jumpToLayers")->trigger(); });
   QObject::connect(this->Empty, &EmptyPage::openWanted, this,
     [this] { this->findChild<QAction*>("open")->trigger(); });
   QObject::connect(this->Recent, &RecentFiles::chosen, this,
@@ -455,8 +470,9 @@ void MainWindow::ShowProbe()
       words += relievoQt::NameLayer(value.Layer) + " " + WriteValues(value);
     }
   }
-  this->Values->setText(
-    words.empty() && !values.empty() ? QString("background") : words.join("   "));
+  this->Values->setText(words.empty() && !values.empty()
+      ? QString("Background: nothing of the files is here")
+      : words.join("   "));
 }
 
 //------------------------------------------------------------------------------
@@ -1147,8 +1163,14 @@ void MainWindow::TellMessages()
   }
   if (!notes.isEmpty())
   {
-    static const QRegularExpression night("^--light sun:\\S+: night: ");
-    this->Say(notes.replaceInStrings(night, "Night: ").join("; "));
+    static const QRegularExpression ofSun("^--light sun:\\S+: night: (?=the sun is )");
+    for (QString& note : notes)
+    {
+      const bool isOfSun = note.contains(ofSun);
+      note.remove(ofSun);
+      note = isOfSun ? note.left(1).toUpper() + note.mid(1) : note;
+    }
+    this->Say(notes.join("; "));
   }
   if (!warnings.isEmpty() && this->Message->GetText().isEmpty())
   {
@@ -1214,10 +1236,15 @@ void MainWindow::ShowSmoothing()
     this->Smoothed.start();
   }
   this->SamplesLeft = left;
-  const bool shown = left > 0 && !this->Saving && this->Smoothed.elapsed() > SmoothPatience;
+  const bool isLong = this->FirstIsSlow || this->Smoothed.elapsed() > SmoothPatience;
+  const bool shown = left > 0 && !this->Saving && isLong;
   this->Smoothing->setText(shown
       ? QString("Refining: %1 of %2 samples").arg(this->Samples - left).arg(this->Samples)
       : "");
+  this->Work->setRange(0, this->Samples);
+  this->Work->setValue(this->Samples - left);
+  this->Work->setVisible(shown);
+  this->FirstIsSlow = this->FirstIsSlow && left > 0;
 }
 
 //------------------------------------------------------------------------------

@@ -204,7 +204,7 @@ private:
   QShortcut* StopPlacing;
   QLabel *Words, *Values, *Smoothing;
   std::unique_ptr<reading::ProgressListener> Teller;
-  QProgressBar* Bar;
+  QProgressBar *Bar, *Work; // of reading files, and of drawing
   QPushButton* Cancel;
   QString Trouble;
   bool OfFile = false;  // whether the error is a file's: other edits do not clear it
@@ -233,8 +233,9 @@ private:
   std::optional<QString> Late; // result of a reading that ended while a picture was saved
   QStringList Opening;         // entries for the recent files after reading
   Probe Reading;
-  int Samples = 0;     // in the complete picture
-  int SamplesLeft = 0; // still missing
+  int Samples = 0;          // in the complete picture
+  int SamplesLeft = 0;      // still missing
+  bool FirstIsSlow = false; // a thread drew, or draws, the picture's first sample
   QElapsedTimer Smoothed;
   QTimer Pause, Waiting, Quiet, Later;
   int Pointed[2] = { -1, -1 };

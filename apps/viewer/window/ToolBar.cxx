@@ -34,8 +34,8 @@ void AddToolBar(MainWindow* window, QMenu* view)
   bar->setMovable(false);
   bar->setIconSize(QSize(IconSide, IconSide));
   window->addToolBar(Qt::TopToolBarArea, bar);
-  for (const char* name : { "open", "savePicture", "copyCommand", "", "undo", "redo", "", "fit",
-         "views", "shadowsOn", "grid", "", "panels", "fullScreen" })
+  for (const char* name : { "open", "savePicture", "copyPicture", "copyCommand", "", "undo", "redo",
+         "", "fit", "views", "shadowsOn", "grid", "", "panels", "fullScreen" })
   {
     if (!*name)
     {

@@ -87,6 +87,7 @@ std::vector<vtkRelievoShadowLight> vtkRelievoShadowLight::Collect(vtkRenderer* r
     }
     else if (source->LightTypeIsHeadlight() || IsAtEye(light, renderer))
     {
+      light.AtEye = !source->LightTypeIsHeadlight();
       light.NoShadow = "a light at the eye hides its own shadows";
       light.Broken = false;
     }
@@ -98,6 +99,12 @@ std::vector<vtkRelievoShadowLight> vtkRelievoShadowLight::Collect(vtkRenderer* r
     lights.push_back(light);
   }
   return lights;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowLight::GetStrength() const
+{
+  return this->AtEye ? 0.0 : this->Light->GetShadowAttenuation();
 }
 
 //------------------------------------------------------------------------------

@@ -196,7 +196,8 @@ std::map<std::string, int> vtkRelievoShadowLights::Find(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowLights::Collect(vtkRenderer* renderer, int mostMaps)
+void vtkRelievoShadowLights::Collect(
+  vtkRenderer* renderer, int mostMaps, const vtkRelievoLightSizes* sizes, bool separates)
 {
   this->All = vtkRelievoShadowLight::Collect(renderer);
   this->Casting.clear();
@@ -205,6 +206,12 @@ void vtkRelievoShadowLights::Collect(vtkRenderer* renderer, int mostMaps)
   for (vtkRelievoShadowLight& light : this->All)
   {
     const int room = light.Positional ? 6 : 1;
+    const bool sized = light.AtEye && sizes && sizes->IsSized(light.Light);
+    if (sized || (light.AtEye && separates))
+    {
+      light.NoShadow.clear();
+      light.AtEye = !sized;
+    }
     if (light.NoShadow.empty() && !this->Casts(light.Light))
     {
       light.NoShadow = "it is chosen so";

@@ -36,8 +36,12 @@ public:
   std::map<std::string, int> Find(
     const std::vector<std::string>& layers, vtkRenderer* renderer) const;
 
-  // Selects the casting lights of this frame, limited by the number of maps.
-  void Collect(vtkRenderer* renderer, int mostMaps);
+  // Selects the casting lights of this frame, limited by the number of maps. Lights at the eye cast
+  // where they have one of these sizes, if any are given. With `separates`, the others count as
+  // casting lights without shadows, as where the picture tells casting lights from others: a light
+  // that moves to the eye must not become one of those.
+  void Collect(vtkRenderer* renderer, int mostMaps, const vtkRelievoLightSizes* sizes = nullptr,
+    bool separates = false);
   std::vector<int> GetNumbers() const; // of the casting lights
   void KeepOnly(const std::vector<int>& numbers);
   // Moves the casting lights to the positions of a sample.

@@ -13,8 +13,7 @@ void vtkRelievoShadowStrengths::Set(const vtkRelievoShadowContext& work, double 
   this->Strengths.assign(static_cast<std::size_t>(work.Structure.Numbers), 0.0f);
   for (const auto& entry : work.Cache.GetEntries())
   {
-    this->Strengths[entry.Light.Number] =
-      static_cast<float>(strength * entry.Light.Light->GetShadowAttenuation());
+    this->Strengths[entry.Light.Number] = static_cast<float>(strength * entry.Light.GetStrength());
   }
 }
 

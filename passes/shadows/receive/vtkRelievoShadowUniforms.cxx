@@ -53,7 +53,7 @@ void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
     }
     first += work.Structure.Lights[strengths.size()].GetRoom();
     slots[light.Number] = static_cast<int>(strengths.size());
-    strengths.push_back(static_cast<float>(strength * light.Light->GetShadowAttenuation()));
+    strengths.push_back(static_cast<float>(strength * light.GetStrength()));
   }
   const int lights = static_cast<int>(strengths.size());
   faces.Tell(program);

@@ -285,8 +285,7 @@ void vtkRelievoShadowVolumes::SetUniforms(vtkShaderProgram* program, vtkVolumeMa
       faces.Set(face++, map, shadows.Method.GetBias(map.View, work.Bias));
     }
     first += work.Structure.Lights[strengths.size()].GetRoom();
-    strengths.push_back(
-      static_cast<float>(shadows.Strength * entry.Light.Light->GetShadowAttenuation()));
+    strengths.push_back(static_cast<float>(shadows.Strength * entry.Light.GetStrength()));
   }
   faces.Tell(program);
   const std::vector<int> slots = GetSlots(shadows, this->LampsFirst, 1);

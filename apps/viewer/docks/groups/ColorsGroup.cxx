@@ -32,6 +32,9 @@ namespace
 constexpr const char* OfValues[] = { "--color-by", "--colormap", "--range", "--scalar-bar",
   "--bar" };
 
+// The row of *Colour by* that leads to the layers; no array has this name.
+constexpr const char* LayersRow = "\n";
+
 constexpr int MostSteps = 256;
 constexpr int NamedStops = 5; // first number of stops for a named map
 
@@ -92,8 +95,7 @@ ColorsGroup::ColorsGroup(
 {
   QFormLayout* rows = this->GetRows();
   this->ColorBy->setObjectName("colorby");
-  this->ColorBy->setToolTip("The point or cell array whose values give the colours. Depth and "
-                            "normals are in the panel Layers");
+  this->ColorBy->setToolTip("The point or cell array whose values give the colours");
   this->Component->setObjectName("component");
   this->Component->setToolTip("The component of arrays with several numbers per point or cell");
   rows->addRow("Colour by", this->ColorBy);
@@ -233,6 +235,12 @@ bool ColorsGroup::HasValues(const QString& name, const QString& component) const
 //------------------------------------------------------------------------------
 void ColorsGroup::SetColorBy(const QString& name, const QString& component)
 {
+  if (name == LayersRow)
+  {
+    this->ShowSettings();
+    Q_EMIT this->layersWanted();
+    return;
+  }
   this->Edited->Change([&](scene::Settings& settings) {
     const QString words = name.isEmpty() || component.isEmpty() ? name : name + "," + component;
     SetOption(settings, "--color-by", words.toStdString());
@@ -383,6 +391,10 @@ void ColorsGroup::ShowArrays()
       const QString name = QString::fromStdString(array.first);
       this->ColorBy->addItem(name, name);
     }
+    this->ColorBy->insertSeparator(this->ColorBy->count());
+    this->ColorBy->addItem(QString("Depth, normals and others") + QChar(0x2026), LayersRow);
+    this->ColorBy->setItemData(
+      this->ColorBy->count() - 1, "They are shown by the panel Layers", Qt::ToolTipRole);
   }
   this->ShowSettings();
 }

@@ -41,6 +41,10 @@ public:
   ColorsGroup(
     Document* document, RangeReader read, RangeReader readSeen, QWidget* parent = nullptr);
 
+Q_SIGNALS:
+  /// Depth, normals or other layers were looked for among the arrays.
+  void layersWanted();
+
 private:
   void AddMap();
   void AddRange();

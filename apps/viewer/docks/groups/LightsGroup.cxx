@@ -9,6 +9,7 @@
 #include "Options.h"
 #include "Presets.h"
 #include "Rows.h"
+#include "SunEdit.h"
 
 #include <QEvent>
 #include <QFormLayout>
@@ -103,8 +104,9 @@ LightsGroup::LightsGroup(Document* document, QWidget* parent)
   QObject::connect(this->Light, &LightEdit::placing, this, &LightsGroup::placing);
   QObject::connect(this->Light, &LightEdit::edited, this, [this](const QString& word) {
     const Row* row = this->GetCurrent();
-    row && row->Own < 0 ? this->TakeEdit(row->Word, word.toStdString())
-                        : this->SetLight(row ? row->Own : -1, word.toStdString());
+    row && row->Own < 0
+      ? this->TakeEdit(row->Word, word.toStdString())
+      : this->SetLight(row ? row->Own : -1, word.toStdString(), this->Light->HasOwnZone());
   });
   QObject::connect(document, &Document::changed, this, &LightsGroup::ShowSettings);
   QObject::connect(document, &Document::factsChanged, this, &LightsGroup::ShowSettings);
@@ -180,7 +182,11 @@ std::vector<LightsGroup::Row> LightsGroup::FindLights() const
       row.Name = QString("light %1").arg(row.Own); // like in reports
     }
     row.Kind = Kinds[static_cast<int>(light.Is)];
-    row.Kind += light.IsNight() ? ", night" : "";
+    if (light.IsNight())
+    {
+      const QString part = relievoQt::SunEdit::NamePartOfDay(light.GetAngles()->Elevation);
+      row.Kind += ", " + part.section(' ', -1); // twilight or night
+    }
     row.Tip = "Double click to name it";
     rows.push_back(row);
   }
@@ -361,14 +367,29 @@ void LightsGroup::ShowFill()
 }
 
 //------------------------------------------------------------------------------
-void LightsGroup::SetLight(int place, const std::string& word)
+void LightsGroup::SetLight(int place, const std::string& word, bool ownZone)
 {
   std::vector<std::string> lights = GetLights(this->Edited);
   if (place >= 0 && place < static_cast<int>(lights.size()))
   {
-    lights[static_cast<std::size_t>(place)] = word;
-    this->Edited->Change(
-      [&lights](scene::Settings& settings) { settings.SetAll("--light", lights); });
+    std::string& light = lights[static_cast<std::size_t>(place)];
+    std::vector<std::string> typed;
+    if (ownZone || HasTypedZone(this->Edited->Get(), light))
+    {
+      typed.push_back(word);
+    }
+    light = word;
+    for (const std::string& each : this->Edited->Get().GetAll(TypedZones))
+    {
+      if (each != word && std::find(lights.begin(), lights.end(), each) != lights.end())
+      {
+        typed.push_back(each);
+      }
+    }
+    this->Edited->Change([&](scene::Settings& settings) {
+      settings.SetAll("--light", lights);
+      settings.SetAll(TypedZones, typed);
+    });
     this->ShowSettings(); // even if nothing has changed
   }
 }

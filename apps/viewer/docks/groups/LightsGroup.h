@@ -85,7 +85,7 @@ private:
   void MakeOwn();
   void TakeEdit(const std::string& before, const std::string& after);
   void Rename(QTreeWidgetItem* item);
-  void SetLight(int place, const std::string& word);
+  void SetLight(int place, const std::string& word, bool ownZone = false);
 
   Document* Edited;
   std::vector<Row> Rows;
