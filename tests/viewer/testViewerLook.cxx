@@ -22,6 +22,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLineEdit>
@@ -165,7 +166,8 @@ private Q_SLOTS:
     QVERIFY(by->itemText(by->count() - 1).startsWith("Depth"));
     by->setCurrentIndex(by->count() - 1);
     QCOMPARE(by->currentText(), QString("Normals"));
-    QTRY_VERIFY_WITH_TIMEOUT(this->Window->findChild<QComboBox*>("layer")->hasFocus(), 20000);
+    auto* layers = this->Window->findChild<QDockWidget*>("layers");
+    QTRY_VERIFY_WITH_TIMEOUT(!layers->visibleRegion().isEmpty(), 20000);
     this->Choose("colors", "component", "");
     QCOMPARE(this->Get("--color-by"), std::string("Normals"));
     auto* map = this->Find<QComboBox>("colors", "colormap");

@@ -32,7 +32,6 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScopeGuard>
@@ -484,17 +483,17 @@ private Q_SLOTS:
     QSignalSpy drawn(view, &viewer::PictureView::drawn);
     QSignalSpy painted(view, &QOpenGLWidget::frameSwapped);
     int begun = 0; // samples of new views
-    const auto* work = this->Window->findChild<QProgressBar*>("work");
     bool isSaid = false, goesOn = false, isSeen = false, isGap = false;
     // The sign of work stays until all samples are there.
     QObject::connect(view, &viewer::PictureView::drawn, &painted, [&] {
-      isGap = isGap || work->isVisible() != (view->GetPicture().GetFrame()->GetSamplesLeft() > 0);
+      vtkRelievoPass* frame = view->GetPicture().GetFrame();
+      isGap = isGap || (frame && said->text().isEmpty() != (frame->GetSamplesLeft() == 0));
     });
     // The window's own slot was called before.
     QObject::connect(view, &viewer::PictureView::drawing, &painted, [&] {
       ++begun;
       drawn.clear();
-      isSaid = said->text().startsWith("Drawing") && work->isVisible();
+      isSaid = said->text().startsWith("Drawing");
       isSeen = painted.count() > 0; // the view before
       painted.clear();
       if (begun == 2) // the next view of a path, which must not wait for this one

@@ -296,12 +296,6 @@ void MainWindow::AddStatus()
   this->Smoothing = new QLabel(this);
   this->Smoothing->setObjectName("smoothing");
   this->Smoothing->setToolTip("Soft shadows and smooth edges are gathered while nothing moves");
-  this->Work = new QProgressBar(this);
-  this->Work->setObjectName("work");
-  this->Work->setMaximumWidth(120);
-  this->Work->setTextVisible(false);
-  this->Work->setToolTip(this->Smoothing->toolTip());
-  this->Work->hide();
   this->Bar = new QProgressBar(this);
   this->Bar->setObjectName("progress");
   this->Bar->setMaximumWidth(200);
@@ -311,7 +305,6 @@ void MainWindow::AddStatus()
   this->Cancel->hide();
   this->statusBar()->addWidget(this->Words, 1);
   this->statusBar()->addPermanentWidget(this->Smoothing);
-  this->statusBar()->addPermanentWidget(this->Work);
   this->statusBar()->addPermanentWidget(this->Values);
   this->statusBar()->addPermanentWidget(this->Bar);
   this->statusBar()->addPermanentWidget(this->Cancel);
@@ -336,8 +329,6 @@ void MainWindow::Connect()
   QObject::connect(this->Shown, &PictureView::drawing, this, [this] {
     this->FirstIsSlow = true;
     this->Smoothing->setText(QString("Drawing") + QChar(0x2026));
-    this->Work->setRange(0, 0);
-    this->Work->show();
   });
   QObject::connect(this->Shown, &PictureView::returned, this, &MainWindow::CatchUp);
   QObject::connect(this->Shown, &PictureView::pointed, this, &MainWindow::PointAt);
@@ -1241,9 +1232,6 @@ void MainWindow::ShowSmoothing()
   this->Smoothing->setText(shown
       ? QString("Refining: %1 of %2 samples").arg(this->Samples - left).arg(this->Samples)
       : "");
-  this->Work->setRange(0, this->Samples);
-  this->Work->setValue(this->Samples - left);
-  this->Work->setVisible(shown);
   this->FirstIsSlow = this->FirstIsSlow && left > 0;
 }
 

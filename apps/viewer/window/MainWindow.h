@@ -204,7 +204,7 @@ private:
   QShortcut* StopPlacing;
   QLabel *Words, *Values, *Smoothing;
   std::unique_ptr<reading::ProgressListener> Teller;
-  QProgressBar *Bar, *Work; // of reading files, and of drawing
+  QProgressBar* Bar;
   QPushButton* Cancel;
   QString Trouble;
   bool OfFile = false;  // whether the error is a file's: other edits do not clear it
