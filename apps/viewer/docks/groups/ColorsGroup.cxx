@@ -95,6 +95,8 @@ ColorsGroup::ColorsGroup(
 {
   QFormLayout* rows = this->GetRows();
   this->ColorBy->setObjectName("colorby");
+  // Long names must not make the panel wider.
+  this->ColorBy->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   this->ColorBy->setToolTip("The point or cell array whose values give the colours");
   this->Component->setObjectName("component");
   this->Component->setToolTip("The component of arrays with several numbers per point or cell");
