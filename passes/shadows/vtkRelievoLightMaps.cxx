@@ -312,19 +312,23 @@ void vtkRelievoLightMaps::Unbind()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoLightMaps::IsProbed()
+vtkRelievoLightMaps::Known vtkRelievoLightMaps::GetKnown()
 {
-  return this->Planning.GetProbe().HasScene(this->Work.Props);
+  return { this->Planning.GetProbe().HasScene(this->Work.Props), this->IsRefused(this->Refused) };
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLightMaps::Settle(bool probed)
+void vtkRelievoLightMaps::Settle(const Known& known)
 {
   this->Work.Cache.SetCasters(this->Work.Props, this->Work.WithoutFollowed);
   this->Method->Settle(this->Work);
-  if (probed)
+  if (known.Probed)
   {
     this->Planning.GetProbe().Settle(this->Work.Props);
+  }
+  if (known.Refused)
+  {
+    this->Refuse(this->Refused);
   }
 }
 

@@ -70,10 +70,15 @@ public:
 
   ///@{
   // For mappers that mark themselves as modified when they draw. Settle accepts the casters,
-  // collected again after the drawing, as unchanged; `probed`: IsProbed before that, whether the
-  // plan's probe knew the casters.
-  bool IsProbed();
-  void Settle(bool probed);
+  // collected again after the drawing, as unchanged; `known`: GetKnown before that, whether the
+  // plan's probe knew the casters, and whether a method was refused for them.
+  struct Known
+  {
+    bool Probed;
+    bool Refused;
+  };
+  Known GetKnown();
+  void Settle(const Known& known);
   ///@}
 
   // The drawing was incomplete: discards cached data.

@@ -415,9 +415,9 @@ void vtkRelievoShadowStage::Finish(vtkRelievoFrameContext& context)
     if (in.Casters.Props.ChangesByDrawing())
     {
       // Some mappers mark themselves as modified when they draw.
-      const bool probed = in.Maps.IsProbed();
+      const vtkRelievoLightMaps::Known known = in.Maps.GetKnown();
       in.Casters.Props.Collect(context.Renderer, context.Scene.Props);
-      in.Maps.Settle(probed);
+      in.Maps.Settle(known);
       in.Lamps.Work.Cache.SetCasters(in.Casters.Props, false);
     }
   }

@@ -371,7 +371,7 @@ void TestBlocks()
   swarm.CheckMaps(1, "a flat glyph");
 }
 
-// 10^5 instances: a source once, at most 144 bytes for each of them, and a certificate.
+// 10^5 instances: a source once, at most 208 bytes for each of them, and a certificate.
 void TestMany()
 {
   constexpr int Count = 100000;
@@ -386,7 +386,7 @@ void TestMany()
   RELIEVO_CHECK_THAT(certificate->GetUnknown() < 40, certificate->GetWords());
   const int* size = swarm.Stage.Window->GetSize();
   RELIEVO_CHECK_AT_MOST(static_cast<double>(swarm.Stage.GetShadows()->GetBytesHeld()),
-    144. * Count + 4096. + (16. + 4. / 64.) * (size[0] + 7) * (size[1] + 7), "many: bytes held");
+    208. * Count + 4096. + (24. + 4. / 64.) * (size[0] + 7) * (size[1] + 7), "many: bytes held");
 }
 }
 

@@ -61,6 +61,7 @@ public:
     const glm::dmat4& worldToView, const std::string& vertexShader,
     const std::string& fragmentShader, const std::string& defines = std::string());
   int Draw(vtkActor* actor); // returns draw calls
+  vtkShaderProgram* GetProgram() const { return this->Program; }
   void End();
 
   // Fills the buffers of a plain mesh, or of many spheres, that the frame has yet to draw, unless

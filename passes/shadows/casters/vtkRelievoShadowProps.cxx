@@ -634,6 +634,23 @@ std::vector<vtkRelievoPlacedMesh> vtkRelievoShadowProps::Follow()
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkRelievoPlacedMesh> vtkRelievoShadowProps::GetSeenGlyphs()
+{
+  std::vector<vtkRelievoPlacedMesh> glyphs;
+  for (vtkProp* prop : this->Seen)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (actor && vtkGlyph3DMapper::SafeDownCast(actor->GetMapper()) && actor->HasOpaqueGeometry() &&
+      !vtkRelievoCasterDraw::IsOffset(actor) && !actor->GetProperty()->GetBackfaceCulling() &&
+      !actor->GetProperty()->GetFrontfaceCulling())
+    {
+      vtkRelievoPropMeshes::Collect(prop, Wanted::Opaque, this->Glyphs, glyphs);
+    }
+  }
+  return glyphs;
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::uint64_t> vtkRelievoShadowProps::GetState(bool withoutFollowed) const
 {
   std::vector<std::uint64_t> state = this->State;

@@ -75,6 +75,8 @@ public:
 
   // Casters that rays can trace triangle by triangle.
   std::vector<vtkRelievoPlacedMesh> Follow();
+  // Visible opaque glyphs that are drawn from both sides, without an offset, at known places.
+  std::vector<vtkRelievoPlacedMesh> GetSeenGlyphs();
   // Triangles of a mesh that Follow left because they are too many; 0: there is none.
   vtkIdType GetTooManyTriangles() const { return this->TooManyTriangles; }
 

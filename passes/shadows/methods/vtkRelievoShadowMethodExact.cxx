@@ -3,6 +3,7 @@
 #include "vtkRelievoShadowMethodExact.h"
 
 #include "vtkActor.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
 #include "vtkObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -62,6 +63,11 @@ glm::dvec3 GetCenter(const vtkRelievoFrameCamera& view, const std::vector<vtkRel
 {
   return vtkRelievoShadowRegion::GetMiddle(
     vtkRelievoShadowRegion::Cut(receivers, view.ViewToNDC * view.WorldToView));
+}
+
+bool IsOfGlyphs(vtkActor* actor)
+{
+  return vtkGlyph3DMapper::SafeDownCast(actor->GetMapper()) != nullptr;
 }
 
 // A point near it, on a grid about as wide as the view: few camera moves change it.
@@ -143,6 +149,7 @@ std::string vtkRelievoShadowMethodExact::Prepare(
   this->Rounding = GetPixels(this->Farness, work.View.Viewport[3]);
   work.WithoutFollowed = fault.empty();
   this->Surfaces.clear();
+  this->Found.clear();
   if (fault.empty())
   {
     this->Alone = work.OwnSteps && !work.Others.IsOn() && window->GetMultiSamples() <= 1;
@@ -164,8 +171,14 @@ void vtkRelievoShadowMethodExact::FindSurfaces(const vtkRelievoShadowContext& wo
       this->Surfaces.push_back(actor);
     }
   }
+  this->Found = this->Surfaces;
+  std::vector<vtkRelievoPlacedMesh> glyphs = work.Props.GetSeenGlyphs();
+  for (const vtkRelievoPlacedMesh& each : glyphs)
+  {
+    this->Found.push_back(each.Actor);
+  }
   // A mapper has one shader for all of its actors.
-  const std::set<vtkProp*> plain(this->Surfaces.begin(), this->Surfaces.end());
+  const std::set<vtkProp*> plain(this->Found.begin(), this->Found.end());
   std::set<vtkMapper*> others;
   for (vtkProp* part : work.Props.GetParts())
   {
@@ -175,16 +188,22 @@ void vtkRelievoShadowMethodExact::FindSurfaces(const vtkRelievoShadowContext& wo
       others.insert(actor->GetMapper());
     }
   }
-  this->Surfaces.erase(std::remove_if(this->Surfaces.begin(), this->Surfaces.end(),
-                         [&](vtkActor* actor) { return others.count(actor->GetMapper()) > 0; }),
-    this->Surfaces.end());
+  const auto isOther = [&](vtkActor* actor) { return others.count(actor->GetMapper()) > 0; };
+  const auto leave = [](auto& list, auto&& isOut) {
+    list.erase(std::remove_if(list.begin(), list.end(), isOut), list.end());
+  };
+  leave(this->Surfaces, isOther);
+  leave(glyphs, [&](const vtkRelievoPlacedMesh& mesh) { return isOther(mesh.Actor); });
+  const bool all = this->Seen.SetGlyphs(glyphs);
+  leave(
+    this->Found, [&](vtkActor* actor) { return isOther(actor) || (!all && IsOfGlyphs(actor)); });
 }
 
 //------------------------------------------------------------------------------
 std::vector<vtkActor*> vtkRelievoShadowMethodExact::GetFound(std::size_t lights) const
 {
   return this->Alone && lights <= static_cast<std::size_t>(this->Seen.GetMostLights())
-    ? this->Surfaces
+    ? this->Found
     : std::vector<vtkActor*>();
 }
 

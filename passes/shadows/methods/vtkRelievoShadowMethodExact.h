@@ -64,6 +64,7 @@ private:
   double Rounding = 0.0;           // of coordinates, in pixels
   std::size_t InMaps = 0;          // casters that rays cannot trace
   std::vector<vtkActor*> Surfaces; // of this frame, with verdicts found beforehand
+  std::vector<vtkActor*> Found;    // and those of glyphs
   bool Colored = false;            // some colour the transmitted light
   bool Alone = false;              // each of their pixels shows only the surface at its centre
 };

@@ -117,10 +117,16 @@ void vtkRelievoVisibilityPrepass::EndDrawing()
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoVisibilityPrepass::SetGlyphs(const std::vector<vtkRelievoPlacedMesh>& glyphs)
+{
+  return this->Fits && this->Glyphs.Update(this->Window, glyphs);
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoVisibilityPrepass::DrawSurfaces(
   const std::vector<vtkActor*>& actors, vtkRelievoCasterDraw& draw)
 {
-  if (actors.empty() || !this->Fits)
+  if ((actors.empty() && this->Glyphs.IsEmpty()) || !this->Fits)
   {
     this->SurfacesDrawn.clear();
     return 0;
@@ -138,6 +144,7 @@ int vtkRelievoVisibilityPrepass::DrawSurfaces(
     seen.insert(seen.end(), { moved.x, moved.y });
     offset = offset || moved != glm::vec2(0.f);
   }
+  this->Glyphs.AddState(seen);
   if (seen == this->SurfacesDrawn)
   {
     return 0;
@@ -160,18 +167,30 @@ int vtkRelievoVisibilityPrepass::DrawSurfaces(
   glClearBufferfv(GL_COLOR, 0, nothing);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   int calls = 0;
-  if (draw.Begin(this->Window, this->View.ViewToNDC * this->View.WorldToView,
-        this->View.WorldToView, "shadow/seenVS.glsl", "shadow/seenFS.glsl",
-        offset ? "#define RELIEVO_SEEN_OFFSET" : ""))
+  const glm::dmat4 toNDC = this->View.ViewToNDC * this->View.WorldToView;
+  bool draws = true;
+  if (!actors.empty())
   {
-    for (vtkActor* actor : actors)
+    draws = draw.Begin(this->Window, toNDC, this->View.WorldToView, "shadow/seenVS.glsl",
+      "shadow/seenFS.glsl", offset ? "#define RELIEVO_SEEN_OFFSET" : "");
+    for (vtkActor* actor : draws ? actors : std::vector<vtkActor*>())
     {
       calls += draw.Draw(actor);
     }
     draw.End();
+  }
+  if (draws && !this->Glyphs.IsEmpty())
+  {
+    draws = draw.Begin(this->Window, toNDC, this->View.WorldToView, "shadow/seenGlyphsVS.glsl",
+      "shadow/seenFS.glsl");
+    draws = draws && this->Glyphs.Draw(draw.GetProgram(), toNDC, this->View.WorldToView, calls);
+    draw.End();
+  }
+  if (draws)
+  {
     this->SurfacesDrawn = seen;
   }
-  this->Broken = this->SurfacesDrawn.empty();
+  this->Broken = !draws;
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
   this->EndDrawing();
   return calls;
@@ -496,7 +515,9 @@ vtkIdType vtkRelievoVisibilityPrepass::GetBytes() const
 {
   const vtkIdType more =
     (this->Colored ? BytesOfColors : 0) + (this->RoomForBefore ? BytesOfBefore : 0);
-  return this->Room ? GetBytes(this->Width, this->Height) + more * this->Width * this->Height : 0;
+  return this->Room ? GetBytes(this->Width, this->Height) + more * this->Width * this->Height +
+      this->Glyphs.GetBytes()
+                    : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -524,6 +545,7 @@ void vtkRelievoVisibilityPrepass::Release(vtkWindow* window)
     glDeleteVertexArrays(1, &this->Arrays);
     this->Framebuffer->ReleaseGraphicsResources(window);
   }
+  this->Glyphs.Release(window == this->Owner ? window : nullptr);
   std::fill_n(this->Textures, Count, 0);
   std::fill_n(this->Units, 2, -1);
   this->Arrays = 0;

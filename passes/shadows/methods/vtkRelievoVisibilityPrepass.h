@@ -5,13 +5,14 @@
 // and cached while view, surfaces, casters and lights stay. Small triangles fill few of a fragment
 // shader's lanes; pixels fill all of them.
 //
-// Only for plain surfaces (vtkRelievoCasterDraw), once VTK has drawn them: a fragment without an
-// entry, or with an entry for another place, traces the ray itself, with the same verdict.
+// Only for plain surfaces (vtkRelievoCasterDraw), once VTK has drawn them, and for glyphs: a fragment
+// without an entry, or with an entry for another place, traces the ray itself, with the same verdict.
 #ifndef vtkRelievoVisibilityPrepass_h
 #define vtkRelievoVisibilityPrepass_h
 
 #include "vtkRelievoBoxTree.h"
 #include "vtkRelievoFrameCamera.h"
+#include "vtkRelievoGlyphDraw.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -58,8 +59,11 @@ public:
   // Number of lights whose verdicts can be stored; 0: none.
   int GetMostLights() const;
 
-  // Draws the visible surfaces of these actors, unless they are known from the previous frame.
-  // Returns draw calls.
+  // The visible glyphs of a frame. False if OpenGL has no memory for all, or nothing fits.
+  bool SetGlyphs(const std::vector<vtkRelievoPlacedMesh>& glyphs);
+
+  // Draws the visible surfaces of these actors and the glyphs, unless they are known from the
+  // previous frame. Returns draw calls.
   int DrawSurfaces(const std::vector<vtkActor*>& actors, vtkRelievoCasterDraw& draw);
 
   // The casters for rays.
@@ -126,6 +130,7 @@ private:
   bool Checked = false;
   unsigned int Textures[Count] = {};
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkRelievoGlyphDraw Glyphs;
   std::unique_ptr<vtkRelievoScopedState> SavedState; // while drawing
   std::vector<double> SurfacesDrawn;                 // state of the present data; empty: none
   std::vector<double> VerdictsDrawn;
