@@ -5,8 +5,9 @@
 // and cached while view, surfaces, casters and lights stay. Small triangles fill few of a fragment
 // shader's lanes; pixels fill all of them.
 //
-// Only for plain surfaces (vtkRelievoCasterDraw), once VTK has drawn them, and for glyphs: a fragment
-// without an entry, or with an entry for another place, traces the ray itself, with the same verdict.
+// Only for plain surfaces (vtkRelievoCasterDraw), once VTK has drawn them, and for glyphs: a
+// fragment without an entry, or with an entry for another place, traces the ray itself, with the
+// same verdict.
 #ifndef vtkRelievoVisibilityPrepass_h
 #define vtkRelievoVisibilityPrepass_h
 
