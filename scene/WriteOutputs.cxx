@@ -369,8 +369,9 @@ void WriteReport(vtkRelievoPass* pass, vtkFieldData* calibration, const RenderOp
 }
 
 //------------------------------------------------------------------------------
-std::string Certify(vtkRelievoPass* pass, int rays)
+std::string Certify(vtkRelievoPass* pass, const RenderOptions& options)
 {
+  const auto rays = static_cast<int>(options.Numbers.Get("--certify", 1.0));
   vtkRelievoShadowCertificate* certificate = pass->GetShadowStage()->Certify(rays);
   Messages::Check("--certify");
   return certificate->GetWords();
@@ -871,8 +872,7 @@ std::string WriteOutputs(StyledScene& styled, const RenderOptions& options,
     DrawFrame(styled, pass, layers, options, settings, bands, flow, *outputs, progress,
       "rendering " + size);
   }
-  const std::string certificate =
-    options.Has("--certify") ? Certify(pass, std::stoi(options.GetWord("--certify"))) : "";
+  const std::string certificate = options.Has("--certify") ? Certify(pass, options) : "";
   if (frames == 0)
   {
     outputs->Commit();

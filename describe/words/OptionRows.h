@@ -6,6 +6,7 @@
 #ifndef OptionRows_h
 #define OptionRows_h
 
+#include "Arguments.h"
 #include "vtkRelievoOption.h"
 
 #include <functional>
@@ -51,6 +52,14 @@ public:
     const Option::Bounds& range, Number& number)
   {
     return this->AddParsed(name, form, help, range, [&number](double parsed) { number = parsed; });
+  }
+
+  /// The code that uses the number asks for it by the option's name.
+  Option& AddNumber(const std::string& name, const std::string& form, const std::string& help,
+    const Option::Bounds& range, GivenNumbers& numbers)
+  {
+    return this->AddParsed(
+      name, form, help, range, [&numbers, name](double parsed) { numbers.Set(name, parsed); });
   }
 
   /// The choices replace @choices@ in the help; `take`, if any, gets the index.

@@ -32,7 +32,8 @@ constexpr int LargestSize = 16384;
 
 struct RenderOptions
 {
-  GivenWords Given; ///< flags, and values that are read as words, have no member
+  GivenWords Given;     ///< flags, and values that are read as words, have no member
+  GivenNumbers Numbers; ///< nor have numbers that one place uses
   std::vector<std::string> Files;
   std::vector<std::string> AllowedFolders; ///< of referenced files, besides the files' own
   std::array<int, 2> Size = { 1024, 768 }; ///< width, height in pixels

@@ -132,7 +132,9 @@ void AddShadowOptions(OptionRows& rows, RenderOptions& all)
     .Add("--certify", "N",
       "checks N shadow verdicts, chosen at random, by rays in double precision, and prints "
       "the share of wrong ones with its 95 % bound",
-      [](const std::string& word) { ParseWhole("--certify", word, 1, MostCertified); })
+      [&all](const std::string& word) {
+        all.Numbers.Set("--certify", ParseWhole("--certify", word, 1, MostCertified));
+      })
     .RefuseLens("it checks only a pinhole's picture")
     .OfOutputs = true;
 }

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """New options of `relievo render`: one that sets a parameter of a stage takes a row with that
-stage's others and one in the page; another takes a member, and a row with its use, in the class
-that uses it; a flag takes a row, its use and the page, and no member. After that the parser, the
+stage's others and one in the page; one of look/ takes a member, and a row with its use, in the
+class that uses it; one of scene/ takes a row, its use and the page. After that the parser, the
 help, the completion, the manual page, Python, the viewer and its copied programs have them, and
 data sets take them. For testNewPass.py, which builds the tree anyway.
 """
@@ -17,11 +17,14 @@ OF_LOOK = """  rows
       { 1.0, 20.0 }, look.LineWidth)
     .ShowIn("Look", "Line width");
 """
-OF_OUTPUTS = """  rows.AddFlag("--fast-png", "writes the PNG faster, and larger").OfOutputs = true;
+OF_OUTPUTS = """  rows
+    .AddNumber("--png-level", "N", "effort for a small PNG, @bounds@ (5)", { 0.0, 9.0 },
+      all.Numbers)
+    .OfOutputs = true;
 """
 PAGE = """| `--sky-rays N` | rays of ambient occlusion from each pixel, 1 to 4096 | 64 |
 | `--line-width PIXELS` | width of lines and edges, 1 to 20 pixels | 1 |
-| `--fast-png` | writes the PNG faster, and larger | |
+| `--png-level N` | effort for a small PNG, 0 to 9 | 5 |
 """
 
 
@@ -47,7 +50,8 @@ def add(tree):
             ("  vtkRelievoOption& png = rows.Add(", OF_OUTPUTS + "{0}"))  # fmt: skip
     replace(tree / "scene" / "WriteOutputs.cxx",
             ("  vtkNew<vtkPNGWriter> writer;\n",
-             '{0}  writer->SetCompressionLevel(options.Has("--fast-png") ? 0 : 5);\n'))  # fmt: skip
+             '{0}  const double level = options.Numbers.Get("--png-level", 5.0);\n'
+             "  writer->SetCompressionLevel(static_cast<int>(level));\n"))  # fmt: skip
     replace(tree / "docs" / "command-line.md", ("| `--edges` |", PAGE + "{0}"))
 
 
@@ -57,7 +61,7 @@ def on_the_command_line(run, build, folder):
     page, words = run([relievo, "--help"]), run([relievo, "--words"])
     assert "\n  --line-width PIXELS" in page and "edges, 1 to 20 pixels (1)" in page, page
     assert "\n  --sky-rays N" in page, page
-    assert "\nrender --fast-png flag\n" in words, words
+    assert "\nrender --png-level value\n" in words, words
     for program in ("render", "dataset", "relievo-viewer"):
         for option in ("--line-width", "--sky-rays"):
             assert f"\n{program} {option} value\n" in words, words
@@ -71,7 +75,9 @@ def on_the_command_line(run, build, folder):
         return picture.read_bytes()
 
     assert pixels() == pixels("--line-width", "1") != pixels("--line-width", "5")
-    assert len(pixels("--fast-png")) > 60 * 60 * 3 > len(pixels())
+    assert len(pixels("--png-level", "0")) > 60 * 60 * 3 > len(pixels())
+    said = run([*draw, "--png-level", "10"], status=2)
+    assert "--png-level: got '10', expected a number from 0 to 9" in said, said
     said = run([*draw, "--line-width", "21"], status=2)
     assert "--line-width: got '21', expected a number from 1 to 20" in said, said
     said = run([*draw, "--sky-rays", "0"], status=2)
