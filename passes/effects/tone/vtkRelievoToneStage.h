@@ -6,7 +6,7 @@
  * dithering.
  *
  * The linear colour has highlights above 1. The stage multiplies it by the exposure, maps it to [0,
- * 1] by the operator, encodes it by the exact sRGB curve, and rounds it to 8 bits; without the
+ * 1] by the operator, encodes it by the sRGB curve, and rounds it to 8 bits; without the
  * stage only the curve applies. The layer `color` is not changed.
  *
  * Each pixel depends only on its own colour, and with AutoExposure on one number of this frame.
