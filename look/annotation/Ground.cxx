@@ -40,15 +40,15 @@ constexpr double Reach = 3.0;
 constexpr double Solid = 1.2; // radius at which it begins to fade
 
 // The opacity at the rim, in bytes. VTK's translucent pass divides by at least 0.01, and so darkens
-// what is less opaque: the ground would have a dark ring.
+// what is less opaque: the ground would have a dark ring. A black one fades to 0: it has no ring,
+// but would have an edge in front of an environment.
 constexpr long LeastAlpha = 3;
 
 // Opacity: opaque inside, least at the rim, smooth between.
-unsigned char GetAlpha(double radii)
+unsigned char GetAlpha(double radii, long least)
 {
   const double t = std::clamp((Reach - radii) / (Reach - Solid), 0.0, 1.0);
-  return static_cast<unsigned char>(
-    std::max(LeastAlpha, std::lround(255.0 * t * t * (3.0 - 2.0 * t))));
+  return static_cast<unsigned char>(std::max(least, std::lround(255.0 * t * t * (3.0 - 2.0 * t))));
 }
 
 double GetRadius(int ring)
@@ -150,6 +150,7 @@ vtkSmartPointer<vtkActor> MakeGround(
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("color");
   colors->SetNumberOfComponents(4);
+  colors->SetNumberOfTuples((Rings + 1) * Sectors);
   for (int ring = 0; ring <= Rings; ++ring)
   {
     const double radii = GetRadius(ring);
@@ -160,8 +161,6 @@ vtkSmartPointer<vtkActor> MakeGround(
       point[first] += radius * radii * std::cos(angle);
       point[second] += radius * radii * std::sin(angle);
       points->InsertNextPoint(point.data());
-      const unsigned char tuple[4] = { 0, 0, 0, GetAlpha(radii) };
-      colors->InsertNextTypedTuple(tuple);
       hidden.push_back(static_cast<float>(
         sky && ring < Rings ? sky->GetHidden(point, GetQuarter(ring, sector)) : 0.0));
     }
@@ -223,8 +222,11 @@ void SetGroundColor(vtkActor* ground, const double color[3])
 {
   vtkUnsignedCharArray* colors = GetColors(ground);
   vtkFloatArray* catcher = GetCatcher(ground);
+  const long least = color[0] + color[1] + color[2] > 0.0 ? LeastAlpha : 0;
   for (vtkIdType point = 0; point < colors->GetNumberOfTuples(); ++point)
   {
+    const int ring = static_cast<int>(point) / Sectors;
+    colors->SetTypedComponent(point, 3, GetAlpha(GetRadius(ring), least));
     const double contact = GetPlainContact(catcher->GetTypedComponent(point, 3));
     for (int i = 0; i < 3; ++i)
     {

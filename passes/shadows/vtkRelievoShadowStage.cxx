@@ -124,7 +124,10 @@ std::string vtkRelievoShadowStage::GetLightLayer(vtkRenderer* renderer, vtkLight
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkRelievoShadowStage::GetShadowLayers(vtkRenderer* renderer)
 {
-  return renderer ? this->Internal->Lights.GetLayers(renderer) : std::vector<std::string>();
+  const Internals& in = *this->Internal;
+  const bool soft = this->SoftSamples > 1 && !in.Maps.Schedule.Exchange.IsOn();
+  return renderer ? in.Lights.GetLayers(renderer, soft ? &in.Soft.Sizes : nullptr)
+                  : std::vector<std::string>();
 }
 
 //------------------------------------------------------------------------------
@@ -265,14 +268,14 @@ void vtkRelievoShadowStage::CollectLights(vtkRelievoFrameContext& context)
   const int most = vtkRelievoShadowMaps::GetMostFaces();
   const bool separates = context.IsPlanned(vtkRelievoResources::DirectLight) ||
     !vtkRelievoShadowCatcher::Find(context).empty();
-  in.Lights.Collect(
-    context.Renderer, most, this->SoftSamples > 1 ? &in.Soft.Sizes : nullptr, separates);
+  const bool soft = this->SoftSamples > 1 && context.Samples > 1;
+  in.Lights.Collect(context.Renderer, most, soft ? &in.Soft.Sizes : nullptr, separates);
   if (exchange.IsOn())
   {
     in.Lights.KeepOnly(exchange.FindCommon(in.Lights.GetNumbers()));
   }
-  in.Soft.Begin(context, this->SoftSamples > 1, this->SoftMaps,
-    { most, vtkRelievoShadowMaps::GetMostRays() }, in.Lights);
+  in.Soft.Begin(
+    context, soft, this->SoftMaps, { most, vtkRelievoShadowMaps::GetMostRays() }, in.Lights);
   in.Maps.Work.PartStep = in.Soft.GetPartStep();
   for (const vtkRelievoShadowLight& light : in.Lights.GetAll())
   {

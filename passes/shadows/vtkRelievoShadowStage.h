@@ -11,8 +11,9 @@
  * change.
  *
  * Lights may be directional, spots of any cone angle, or points (positional with a cone angle of 90
- * degrees or more). A light at the eye hides its own shadows and is omitted; one without a
- * direction warns once. vtkLight::ShadowAttenuation (0 to 1) is the strength of a single light.
+ * degrees or more). A light at the eye hides its own shadows and is omitted, but for a
+ * directional one with a size, whose soft shadows are seen; one without a direction warns once.
+ * vtkLight::ShadowAttenuation (0 to 1) is the strength of a single light.
  *
  * Maps are fitted to the part of the scene that the camera sees (L. Williams, Casting curved
  * shadows on curved surfaces, 1978, for the map; receiver-plane depth bias after J. Isidoro, Shadow

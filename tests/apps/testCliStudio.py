@@ -359,7 +359,9 @@ class Studio(CliTest):
         # No shadow is seen of a sun straight behind the camera, but it is no fill light.
         fill = 0.4 * 2 / numpy.sqrt(3) * 0.54
         for sun, words, step in (("0.001,1,0", [], 6), ("0,1,0", [], 6),
-                                 ("0,1,0", ["--ambient", "1"], 14)):  # rays are noisy
+                                 ("0,1,0", ["--soft-shadows", "0"], 6),
+                                 ("0,1,0", ["--soft-shadows", "0", "--ambient", "1"],
+                                  14)):  # rays are noisy
             compare(numpy.ones_like(away), "--light", f"sun:{sun}", *words,
                     others=fill / (fill + 0.78), step=step)
         # Two points of which the ball hides one, here and there.

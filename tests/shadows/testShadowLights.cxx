@@ -24,6 +24,7 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoShadowCatcher.h>
 #include <vtkRelievoShadowStage.h>
 #include <vtkShaderProperty.h>
 #include <vtkSmartPointer.h>
@@ -146,7 +147,38 @@ void TestAlongTheView()
   RELIEVO_CHECK_AT_MOST(mismatches, 0, "above the eye: wrong verdicts");
   box->SetPosition(0., -6., 0.); // before the near plane no more
   stage.Window->Render();
-  RELIEVO_CHECK(stage.GetShadows()->GetNumberOfCastingLights() == 0);
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  RELIEVO_CHECK(shadows->GetNumberOfCastingLights() == 0);
+  RELIEVO_CHECK(shadows->GetShadowLayers(stage.Renderer).empty());
+  // Where light of casting lights is told from other light it counts, without maps.
+  vtkRelievoShadowCatcher::Make(box);
+  stage.Window->Render();
+  RELIEVO_CHECK(shadows->GetNumberOfCastingLights() == 1 && shadows->GetNumberOfMaps() == 0);
+  // With a size it casts.
+  shadows->SetSoftSamples(4);
+  stage.Window->Render();
+  RELIEVO_CHECK(shadows->GetNumberOfCastingLights() == 1 && shadows->GetNumberOfMaps() == 1);
+  RELIEVO_CHECK(shadows->GetShadowLayers(stage.Renderer).size() == 1);
+}
+
+// A lamp at the eye hides its own shadows, whatever its radius, and takes no maps from others.
+void TestLampAtTheEye()
+{
+  ShadowStage stage;
+  stage.AddThings();
+  const double* eye = stage.Renderer->GetActiveCamera()->GetPosition();
+  stage.AddLamp({ eye[0], eye[1], eye[2] }, { 0., 0., 0. }, 90.);
+  stage.AddSun(-3., 4., -2.);
+  stage.GetFrame()->ShadowsOn();
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  shadows->SetSoftSamples(4);
+  shadows->SetLampRadius(0.2);
+  stage.Window->Render();
+  RELIEVO_CHECK(shadows->GetNumberOfCastingLights() == 1);
+  RELIEVO_CHECK(shadows->GetShadowLayers(stage.Renderer).size() == 1);
+  vtkRelievoShadowCatcher::Make(stage.Renderer->GetActors()->GetLastActor());
+  stage.Window->Render();
+  RELIEVO_CHECK(shadows->GetNumberOfCastingLights() == 2 && shadows->GetNumberOfMaps() == 1);
 }
 
 void TestLightKit()
@@ -250,6 +282,11 @@ void TestWarnings()
     stage.Window->Render();
     RELIEVO_CHECK(expect.Count() == 1);
   }
+  const double* eye = stage.Renderer->GetActiveCamera()->GetPosition();
+  spot->SetPosition(eye[0], eye[1], eye[2]);
+  stage.Window->Render();
+  RELIEVO_CHECK(
+    stage.GetFrame()->GetFrameReport().find("its cone angle is 0") != std::string::npos);
   stage.Renderer->RemoveLight(spot);
   light->SetPosition(3., 5., 2.);
   CheckShadow(stage, 0, Limit, "a light that got its direction");
@@ -446,6 +483,7 @@ RELIEVO_TEST_CASE(testShadowLights)
   TestInTheMiddle();
   TestCameraLights();
   TestAlongTheView();
+  TestLampAtTheEye();
   TestLightKit();
   TestEight();
   TestWarnings();

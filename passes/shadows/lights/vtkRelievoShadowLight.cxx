@@ -14,6 +14,8 @@
 
 namespace
 {
+const char* const AtEyeWords = "a light at the eye hides its own shadows";
+
 // Whether the near plane cuts anything away: its shadow is visible although it is not.
 bool IsCut(vtkRenderer* renderer, const glm::dvec3& eye, const glm::dvec3& gaze)
 {
@@ -85,16 +87,20 @@ std::vector<vtkRelievoShadowLight> vtkRelievoShadowLight::Collect(vtkRenderer* r
       light.NoShadow = "it is switched off";
       light.Broken = false;
     }
-    else if (source->LightTypeIsHeadlight() || IsAtEye(light, renderer))
+    else if (source->LightTypeIsHeadlight())
     {
-      light.AtEye = !source->LightTypeIsHeadlight();
-      light.NoShadow = "a light at the eye hides its own shadows";
+      light.NoShadow = AtEyeWords;
       light.Broken = false;
     }
     else if (light.IsSpot() && light.ConeAngle <= 0.0)
     {
       light.NoShadow = "its cone angle is 0";
       light.Broken = true;
+    }
+    else if (light.NoShadow.empty() && IsAtEye(light, renderer))
+    {
+      light.AtEye = true;
+      light.NoShadow = AtEyeWords;
     }
     lights.push_back(light);
   }

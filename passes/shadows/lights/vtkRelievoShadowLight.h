@@ -42,7 +42,7 @@ struct vtkRelievoShadowLight
   double Spread = 0.0;  // tangent of the widest angle of all parts to the light's direction
   std::string NoShadow; // reason why it casts none; empty if it casts
   bool Broken = false;  // it could never cast: worth a warning
-  bool AtEye = false;   // all that the eye sees is lit by it, unless it has a size
+  bool AtEye = false;   // all that the eye sees is lit by it: it needs no maps
 
   // A unit vector square to a direction.
   static glm::dvec3 AnySquareTo(const glm::dvec3& direction);

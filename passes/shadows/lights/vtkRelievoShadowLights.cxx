@@ -53,6 +53,21 @@ void FindCenters(vtkRelievoShadowLight& light, int count)
   }
 }
 
+// The renderer's lights. A sun with a size casts where it is at the eye, too.
+std::vector<vtkRelievoShadowLight> Find(vtkRenderer* renderer, const vtkRelievoLightSizes* sizes)
+{
+  std::vector<vtkRelievoShadowLight> lights = vtkRelievoShadowLight::Collect(renderer);
+  for (vtkRelievoShadowLight& light : lights)
+  {
+    if (light.AtEye && !light.Positional && sizes && sizes->IsSized(light.Light))
+    {
+      light.AtEye = false;
+      light.NoShadow.clear();
+    }
+  }
+  return lights;
+}
+
 std::string Identify(const std::string& name)
 {
   std::string out;
@@ -151,10 +166,11 @@ std::string vtkRelievoShadowLights::GetLayer(vtkRenderer* renderer, vtkLight* li
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkRelievoShadowLights::GetLayers(vtkRenderer* renderer) const
+std::vector<std::string> vtkRelievoShadowLights::GetLayers(
+  vtkRenderer* renderer, const vtkRelievoLightSizes* sizes) const
 {
   std::vector<std::string> layers;
-  for (const vtkRelievoShadowLight& light : vtkRelievoShadowLight::Collect(renderer))
+  for (const vtkRelievoShadowLight& light : ::Find(renderer, sizes))
   {
     if (light.NoShadow.empty() && this->Casts(light.Light) &&
       light.Light->GetShadowAttenuation() > 0.0f)
@@ -199,18 +215,19 @@ std::map<std::string, int> vtkRelievoShadowLights::Find(
 void vtkRelievoShadowLights::Collect(
   vtkRenderer* renderer, int mostMaps, const vtkRelievoLightSizes* sizes, bool separates)
 {
-  this->All = vtkRelievoShadowLight::Collect(renderer);
+  this->All = ::Find(renderer, sizes);
   this->Casting.clear();
   this->Unmoved.clear();
+  // Lights at the eye come last: others take the maps.
+  std::stable_partition(this->All.begin(), this->All.end(),
+    [](const vtkRelievoShadowLight& light) { return !light.AtEye; });
   int maps = 0;
   for (vtkRelievoShadowLight& light : this->All)
   {
-    const int room = light.Positional ? 6 : 1;
-    const bool sized = light.AtEye && sizes && sizes->IsSized(light.Light);
-    if (sized || (light.AtEye && separates))
+    const int room = light.Positional && !light.AtEye ? 6 : 1;
+    if (light.AtEye && separates)
     {
       light.NoShadow.clear();
-      light.AtEye = !sized;
     }
     if (light.NoShadow.empty() && !this->Casts(light.Light))
     {
@@ -255,7 +272,7 @@ bool vtkRelievoShadowLights::Divide(
     }
     else
     {
-      most -= light.Positional && !light.IsSpot() ? 6 : 1;
+      most -= light.Positional && !light.IsSpot() && !light.AtEye ? 6 : 1;
     }
   }
   for (vtkRelievoShadowLight* sun : suns)

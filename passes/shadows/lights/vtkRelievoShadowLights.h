@@ -29,17 +29,18 @@ public:
   std::string GetName(vtkRenderer* renderer, vtkLight* light) const;
 
   // The layer of a light's visibility (vtkRelievoShadowStage::GetLightLayer), the layers of all
-  // lights that cast by the user's choice, and the indices of the lights with a layer among
-  // `layers`.
+  // lights that cast by the user's choice (see Collect), and the indices of the lights with a layer
+  // among `layers`.
   std::string GetLayer(vtkRenderer* renderer, vtkLight* light) const;
-  std::vector<std::string> GetLayers(vtkRenderer* renderer) const;
+  std::vector<std::string> GetLayers(
+    vtkRenderer* renderer, const vtkRelievoLightSizes* sizes = nullptr) const;
   std::map<std::string, int> Find(
     const std::vector<std::string>& layers, vtkRenderer* renderer) const;
 
-  // Selects the casting lights of this frame, limited by the number of maps. Lights at the eye cast
-  // where they have one of these sizes, if any are given. With `separates`, the others count as
-  // casting lights without shadows, as where the picture tells casting lights from others: a light
-  // that moves to the eye must not become one of those.
+  // Selects the casting lights of this frame, limited by the number of maps. Suns at the eye cast
+  // where they have one of these sizes, if any are given. With `separates`, where the picture tells
+  // casting lights from others, other lights at the eye count as casting lights, without maps: a
+  // light that moves to the eye must not become one of those.
   void Collect(vtkRenderer* renderer, int mostMaps, const vtkRelievoLightSizes* sizes = nullptr,
     bool separates = false);
   std::vector<int> GetNumbers() const; // of the casting lights

@@ -16,10 +16,10 @@ using Map = vtkRelievoShadowCache::Map;
 
 bool IsSame(const vtkRelievoShadowLight& a, const vtkRelievoShadowLight& b)
 {
-  return a.Light == b.Light && a.Positional == b.Positional && a.IsSpot() == b.IsSpot() &&
-    (!a.IsSpot() || a.ConeAngle == b.ConeAngle) && (!a.Positional || a.Position == b.Position) &&
-    a.Reach == b.Reach && a.Spread == b.Spread && a.Centers.size() == b.Centers.size() &&
-    a.Parts.size() == b.Parts.size() &&
+  return a.Light == b.Light && a.AtEye == b.AtEye && a.Positional == b.Positional &&
+    a.IsSpot() == b.IsSpot() && (!a.IsSpot() || a.ConeAngle == b.ConeAngle) &&
+    (!a.Positional || a.Position == b.Position) && a.Reach == b.Reach && a.Spread == b.Spread &&
+    a.Centers.size() == b.Centers.size() && a.Parts.size() == b.Parts.size() &&
     ((a.Positional && !a.IsSpot()) || a.Direction == b.Direction);
 }
 
@@ -122,6 +122,11 @@ void vtkRelievoShadowCache::Fit(const std::vector<vtkRelievoShadowLight>& castin
   {
     Entry entry;
     entry.Light = light;
+    if (light.AtEye)
+    {
+      this->Entries.push_back(entry);
+      continue;
+    }
     const bool local = light.Reach > 0.0;
     const auto receivers = local ? GetReached(scene.Receivers, light) : scene.Receivers;
     const auto casters = local ? GetReached(scene.Casters, light) : scene.Casters;
