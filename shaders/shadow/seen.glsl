@@ -52,7 +52,6 @@ vec3 relievoSeenPlace(vec2 pixel, float z)
 // pixel, those of the visible triangle and those of its neighbour, and the place with them, in the
 // picture and, by its plane's slope, along the line of sight. slant: the cosine between line and
 // normal, 1 without a surface; a NaN normal counts as seen from the side.
-// surface; a normal may be NaN, which counts as seen from the side.
 vec3 relievoSeenSnap(vec3 placeVC, float slant, bool parallel)
 {
   float w = abs(placeVC.z * relievoSeenW.x + relievoSeenW.y);
