@@ -67,7 +67,7 @@ def main():
     relievo.stage(renderer, "ambient")
     pictures.append(scene.picture(renderer))
     share = relievo.layer(relievo.capture(renderer, ["ambient"]), "ambient")
-    print(f"the surfaces see between {share.min():.2f} and {share.max():.2f} of the sky")
+    print(f"the surface that sees least of the sky sees {share.min():.2f} of it")
     pictures.append(numpy.repeat(255 * share[..., None], 3, axis=2))
     pictures = [numpy.round(demo_sheet.shrunk(each, FINER)).astype("u1") for each in pictures]
     white = numpy.full((SIZE[1], GAP, 3), 255, "u1")
