@@ -375,17 +375,17 @@ void TestPoints()
           }
         }
       }
-      int wrong = 0;
+      int mismatches = 0;
       int covered = 0;
       for (std::size_t k = 0; k < ranges.size(); ++k)
       {
         const double depth = raster.GetDepths()[k];
-        wrong += depth < ranges[k].Low - 1e-6 || depth > ranges[k].High + 1e-6 ? 1 : 0;
+        mismatches += depth < ranges[k].Low - 1e-6 || depth > ranges[k].High + 1e-6 ? 1 : 0;
         covered += depth < 1.0 ? 1 : 0;
       }
       const std::string what =
         "points of " + std::to_string(diameter) + " texels, case " + std::to_string(i);
-      RELIEVO_CHECK_AT_MOST(wrong, 0, what + ": wrong texels");
+      RELIEVO_CHECK_AT_MOST(mismatches, 0, what + ": mismatched texels");
       RELIEVO_CHECK_THAT(covered > region[2] * region[3] / 2, what + ": nothing drawn");
     }
   }
