@@ -28,7 +28,7 @@ vec3 relievoFaceVC = vec3(0.0); // the triangle's normal
 #endif
 #ifdef RELIEVO_LAMPS_ON_COLOR
 #ifdef RELIEVO_TO_DISPLAY
-#define RELIEVO_ONLY_SHOWN
+#define RELIEVO_APPROXIMATE_SRGB
 #endif
 //RELIEVO::Include(frame/color.glsl)
 //RELIEVO::Include(deferred/matte.glsl)

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The share of a lamp's light that a surface scatters, in linear light. RELIEVO_ONLY_SHOWN: for a
-// picture of 8 bits.
+// The share of a lamp's light that a surface scatters, in linear light.
+// RELIEVO_APPROXIMATE_SRGB: for a picture.
 //RELIEVO::Include(formulas/color/srgb.glsl)
 
 vec3 relievoMatte(relievoSurface surface)
 {
-#ifdef RELIEVO_ONLY_SHOWN
-  vec3 color = relievoLinearColorFromShown(surface.color);
+#ifdef RELIEVO_APPROXIMATE_SRGB
+  vec3 color = relievoApproximateLinearColorFromSrgb(surface.color);
 #else
   vec3 color = relievoLinearColorFromSrgb(surface.color);
 #endif

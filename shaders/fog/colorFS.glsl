@@ -8,7 +8,7 @@
 // composited over it and encoded as the picture.
 //RELIEVO::Include(formulas/light/fog.glsl)
 #ifdef RELIEVO_TO_DISPLAY
-#define RELIEVO_ONLY_SHOWN
+#define RELIEVO_APPROXIMATE_SRGB
 //RELIEVO::Include(frame/color.glsl)
 #endif
 in vec2 texCoord;

@@ -24,10 +24,12 @@ vec4 relievoFetchColor(ivec2 pixel)
 }
 
 // The picture of a linear colour, for shaders that also read `drawn`. Unchanged colours are shown
-// as drawn, since the curve and its inverse may round to the neighbouring byte.
+// as drawn, since the curve and its inverse may round to the neighbouring byte. Framebuffers of
+// floats also have colours above 1.
 vec4 relievoShownColor(ivec2 pixel, vec4 color)
 {
   vec4 drawn = texelFetch(relievoDrawn, pixel + relievoDrawnOffset, 0);
-  vec4 shown = vec4(relievoShownColorFromLinear(color.rgb), color.a);
-  return all(lessThan(abs(shown - drawn), vec4(5.0e-6))) ? drawn : shown;
+  vec4 shown = vec4(relievoApproximateSrgbColorFromLinear(color.rgb), color.a);
+  vec4 rounding = 5.0e-6 * max(vec4(1.0), abs(drawn));
+  return all(lessThan(abs(shown - drawn), rounding)) ? drawn : shown;
 }

@@ -7,7 +7,7 @@
 // RELIEVO_DEPTH_LEFT, also writes the delegate's depth.
 //RELIEVO::Include(frame/drawn.glsl)
 #ifndef RELIEVO_AS_DRAWN
-#define RELIEVO_ONLY_SHOWN
+#define RELIEVO_APPROXIMATE_SRGB
 //RELIEVO::Include(formulas/color/srgb.glsl)
 //RELIEVO::Include(frame/color.glsl)
 #endif

@@ -8,7 +8,7 @@
 // RELIEVO_TONE_PREMULTIPLIED: the colour of pixels with alpha below 1 is multiplied by alpha.
 // RELIEVO_TONE_MEASURED: the exposure starts from the measured luminance.
 // RELIEVO_TONE_DITHER: by Bayer's matrix, with RELIEVO_TONE_DITHER_TEXTURE by the texture.
-#define RELIEVO_ONLY_SHOWN
+#define RELIEVO_APPROXIMATE_SRGB
 //RELIEVO::Include(formulas/color/srgb.glsl)
 //RELIEVO::Include(formulas/color/tone.glsl)
 //RELIEVO::Include(frame/color.glsl)
@@ -57,7 +57,7 @@ void main()
 #else
   float cover = 1.0;
 #endif
-  vec3 shown = relievoShownColorFromLinear(relievoToneCovered(
+  vec3 shown = relievoApproximateSrgbColorFromLinear(relievoToneCovered(
     RELIEVO_TONE_OPERATOR, color.rgb, cover, toneExposureFactor(), toneWhite));
 #ifdef RELIEVO_TONE_DITHER
   float threshold = toneThreshold(pixel);

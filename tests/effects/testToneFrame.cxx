@@ -11,6 +11,7 @@
 
 #include <vtkActor.h>
 #include <vtkActor2D.h>
+#include <vtkActorCollection.h>
 #include <vtkCamera.h>
 #include <vtkCameraPass.h>
 #include <vtkDataArray.h>
@@ -19,10 +20,14 @@
 #include <vtkOpenGLFXAAPass.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty.h>
 #include <vtkProperty2D.h>
+#include <vtkRelievoFogSpheres.h>
+#include <vtkRelievoFogStage.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkSequencePass.h>
@@ -319,6 +324,35 @@ void TestTwice()
 }
 #endif
 
+#if __has_include(<vtkToneMappingPass.h>)
+// Within VTK's pass, the frame draws into floats. A fog that takes no light shows that light above
+// 1 arrives there unchanged, however the stage presents it.
+void TestLightAboveOne()
+{
+  Scene scene;
+  scene.Renderer->RemoveActor(scene.Renderer->GetActors()->GetLastActor()); // glass blends in sRGB
+  vtkNew<vtkToneMappingPass> own;
+  vtkSmartPointer<vtkRelievoPass> frame = scene.GetFrame();
+  own->SetDelegatePass(frame);
+  scene.Renderer->SetPass(own);
+  const auto plain = Picture(scene.Window);
+  vtkNew<vtkPoints> centre;
+  centre->InsertNextPoint(0.0, 0.0, 0.0);
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(centre);
+  vtkNew<vtkRelievoFogSpheres> fog;
+  fog->SetInputData(cloud);
+  fog->SetRadius(10.0);
+  fog->SetDensity(1e-9);
+  frame->GetFogStage()->AddPoints(fog);
+  RELIEVO_CHECK(relievoTest::GetLargestDifference(plain, Picture(scene.Window)) <= 1);
+  RELIEVO_CHECK(frame->GetFogStage()->GetReasonCode() == "ran");
+  scene.Renderer->SetPass(nullptr);
+  own->ReleaseGraphicsResources(scene.Window);
+  frame->ReleaseGraphicsResources(scene.Window);
+}
+#endif
+
 // The stage's parameters are set as words, by name.
 void TestParameters()
 {
@@ -348,6 +382,7 @@ RELIEVO_TEST_CASE(testToneFrame)
   TestTexts();
 #if __has_include(<vtkToneMappingPass.h>)
   TestTwice();
+  TestLightAboveOne();
 #endif
   TestParameters();
   return session.Result();

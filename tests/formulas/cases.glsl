@@ -191,7 +191,15 @@ uvec4 relievoTestColor(int which, uvec4 a)
   {
     return relievoTestBits3(relievoHashColor(a.x));
   }
-  return uvec4(relievoHash(a.x), relievoHash(a.y), relievoHash(a.z), relievoHash(a.w));
+  if (which == 34)
+  {
+    return uvec4(relievoHash(a.x), relievoHash(a.y), relievoHash(a.z), relievoHash(a.w));
+  }
+  if (which == 35)
+  {
+    return relievoTestBits3(relievoApproximateSrgbColorFromLinear(v));
+  }
+  return relievoTestBits3(relievoApproximateLinearColorFromSrgb(v));
 }
 
 // Tone: a.xyz light, whatever it is; 56: a.xyz coordinates of pixels; 57: values and thresholds;

@@ -230,17 +230,6 @@ void TestSpace(relievoTest::GpuCases& gpu)
   Compare(gpu, { 27, "window to NDC", { position, position, position, position } }, pixels);
 }
 
-void TestColor(relievoTest::GpuCases& gpu)
-{
-  const Rule curve = Number(0., 2e-6);
-  Compare(gpu, { 30, "to sRGB", { curve, curve, curve, curve } }, UnitInputs());
-  Compare(gpu, { 31, "from sRGB", { curve, curve, curve, curve } }, UnitInputs());
-  Compare(gpu, { 32, "colour map", { curve, curve, curve, curve } }, UnitInputs());
-  const Rule color = Number(0., 1e-6);
-  Compare(gpu, { 33, "colour of an id", { color, color, color, color } }, WordInputs());
-  Compare(gpu, { 34, "hash", { Same, Same, Same, Same } }, WordInputs());
-}
-
 std::vector<CaseInput> LightInputs()
 {
   using relievoTest::Infinity;
@@ -266,6 +255,23 @@ std::vector<CaseInput> LightInputs()
       Input(std::exp2(stops(random)), std::exp2(stops(random)), std::exp2(stops(random))));
   }
   return inputs;
+}
+
+void TestColor(relievoTest::GpuCases& gpu)
+{
+  const Rule curve = Number(0., 2e-6);
+  Compare(gpu, { 30, "to sRGB", { curve, curve, curve, curve } }, UnitInputs());
+  Compare(gpu, { 31, "from sRGB", { curve, curve, curve, curve } }, UnitInputs());
+  Compare(gpu, { 32, "colour map", { curve, curve, curve, curve } }, UnitInputs());
+  const Rule color = Number(0., 1e-6);
+  Compare(gpu, { 33, "colour of an id", { color, color, color, color } }, WordInputs());
+  Compare(gpu, { 34, "hash", { Same, Same, Same, Same } }, WordInputs());
+  const Rule roots = Number(4e-6, 2e-6);
+  for (const std::vector<CaseInput>& inputs : { UnitInputs(), LightInputs() })
+  {
+    Compare(gpu, { 35, "to approximate sRGB", { roots, roots, roots, roots } }, inputs);
+    Compare(gpu, { 36, "from approximate sRGB", { roots, roots, roots, roots } }, inputs);
+  }
 }
 
 void TestTone(relievoTest::GpuCases& gpu)

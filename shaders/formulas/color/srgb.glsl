@@ -29,13 +29,18 @@ vec3 relievoLinearColorFromSrgb(vec3 srgb)
     relievoLinearFromSrgb(srgb.z));
 }
 
-// The same curves by fourth roots and polynomials, for pictures of 8 bits: in software OpenGL they
-// take half the time of powers. Polynomials of least relative error for root^(5/3) and root^1.6.
+// The same curves, approximated by fourth roots and polynomials, for pictures: in software OpenGL
+// they take half the time of powers. Polynomials of least relative error for root^(5/3) and
+// root^1.6.
 
-// Light above 1 counts as 1. The relative error is at most 2.8e-7, of the power, and of roundings.
-float relievoShownFromLinear(float linear)
+// The polynomial holds for light up to 1, brighter light is scaled by powers of 2; above 65536 it
+// counts as 65536. The relative error is at most 2.8e-7, of the power, and of roundings.
+float relievoApproximateSrgbFromLinear(float linear)
 {
-  float light = linear > float(1.0) ? float(1.0) : linear;
+  bool isAbove = linear > float(256.0);
+  float scale = isAbove ? float(1.0) / float(65536.0) : float(1.0) / float(256.0);
+  float light = linear > float(65536.0) ? float(1.0)
+                                        : linear > float(1.0) ? scale * linear : linear;
   float r = sqrt(sqrt(light));
   float r2 = r * r;
   float r4 = r2 * r2;
@@ -43,13 +48,15 @@ float relievoShownFromLinear(float linear)
       r2 * (float(1.4902488) - float(1.50133536) * r)) +
     r4 * (((float(2.09087622) - float(2.21082622) * r) +
         r2 * (float(1.55658552) - float(0.642225034) * r)) + r4 * float(0.116836581));
+  float unscaled = isAbove ? float(101.593667325964788) : float(10.0793683991589853);
+  power = linear > float(1.0) ? unscaled * power : power; // the scale to the power of -1 / 2.4
   return linear <= float(0.0031308) ? float(12.92) * linear
                                     : float(1.055) * power - float(0.055);
 }
 
 // Values above 107.2, the light of the largest half, count as this. The relative error is at most
 // 5.6e-7, and of roundings.
-float relievoLinearFromShown(float srgb)
+float relievoApproximateLinearFromSrgb(float srgb)
 {
   float value = srgb > float(107.2) ? float(107.2) : srgb;
   float base = (value + float(0.055)) * float(0.9478672985781991); // over 1.055
@@ -64,14 +71,14 @@ float relievoLinearFromShown(float srgb)
   return srgb <= float(0.04045) ? srgb * float(0.07739938080495357) : (base * base) * power;
 }
 
-vec3 relievoShownColorFromLinear(vec3 linear)
+vec3 relievoApproximateSrgbColorFromLinear(vec3 linear)
 {
-  return vec3(relievoShownFromLinear(linear.x), relievoShownFromLinear(linear.y),
-    relievoShownFromLinear(linear.z));
+  return vec3(relievoApproximateSrgbFromLinear(linear.x),
+    relievoApproximateSrgbFromLinear(linear.y), relievoApproximateSrgbFromLinear(linear.z));
 }
 
-vec3 relievoLinearColorFromShown(vec3 srgb)
+vec3 relievoApproximateLinearColorFromSrgb(vec3 srgb)
 {
-  return vec3(relievoLinearFromShown(srgb.x), relievoLinearFromShown(srgb.y),
-    relievoLinearFromShown(srgb.z));
+  return vec3(relievoApproximateLinearFromSrgb(srgb.x),
+    relievoApproximateLinearFromSrgb(srgb.y), relievoApproximateLinearFromSrgb(srgb.z));
 }
