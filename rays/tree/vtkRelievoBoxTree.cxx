@@ -120,7 +120,8 @@ void vtkRelievoBoxTree::Build(const std::vector<Box>& boxes, int leafSize)
   const glm::vec3 half = 0.5f * whole.Max - 0.5f * whole.Min;
   const float reach = std::max({ half.x, half.y, half.z });
   const float scale = reach > 0.f ? 1.f / reach : 0.f;
-  // Between -1 and 1, also without a number.
+  // Between -1 and 1; NaN becomes -1. Boxes far smaller than the whole may fall on one point: they
+  // are then split by index, which is correct and slower to ask.
   const auto fit = [&](const glm::vec3& corner) {
     return glm::min(glm::vec3(1.f), glm::max(glm::vec3(-1.f), (corner - middle) * scale));
   };

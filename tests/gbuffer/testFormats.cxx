@@ -274,7 +274,8 @@ void TestBytes()
   };
   RELIEVO_CHECK(words({ "depth" }) == 1.);
   RELIEVO_CHECK(words({ "depth", "range", "position" }) == 1.);
-  RELIEVO_CHECK(words({ "normal", "depth" }) == 4.); // three floats cost no more than one word
+  // Three floats, which cost no more than one word in attachments of four words, as on GPUs.
+  RELIEVO_CHECK(words({ "normal", "depth" }) == 4.);
   RELIEVO_CHECK(words({ "normal", "depth", "albedo", "actor", "block", "cell" }) == 4.);
   frame->GetLayersStage()->SetNormalFormat(G::NORMAL_OCT16);
   RELIEVO_CHECK(words({ "normal", "depth" }) == 2.);

@@ -93,7 +93,7 @@ void vtkRelievoGBufferLayout::Arrange()
   if (this->NormalFormat == vtkRelievoWordFormats::NORMAL_AUTO)
   {
     // Full floats if they fit into the attachments of four words that are needed anyway, otherwise
-    // one word.
+    // one word. Narrow attachments do not count, so that values are the same as on a GPU.
     const int togetherWords = together ? GetNormalDepthWords(this->NormalDepth) : 0;
     const int others = togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) +
       (this->Places ? 2 : 0) + (this->Albedo ? 1 : 0) + (this->Surface ? 1 : 0) +
