@@ -19,6 +19,7 @@
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoLensCamera.h"
 #include "vtkRelievoLensPicture.h"
+#include "vtkRelievoMemory.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoRayLayers.h"
 #include "vtkRenderer.h"
@@ -562,8 +563,23 @@ void DatasetPainter::DrawLayers(
     source->AddView(camera.Camera);
   }
   std::vector<vtkSmartPointer<vtkImageData>> views(cameras.size());
-  const bool good =
-    source->CaptureEach([&views](std::size_t i, vtkImageData* drawn) { views[i] = drawn; });
+  std::string lack;
+  const bool good = source->CaptureEach([&](std::size_t i, vtkImageData* drawn) {
+    if (i == 0)
+    {
+      const double bytes = 1024.0 * static_cast<double>(drawn->GetActualMemorySize());
+      lack = relievo::LackOfMemory(bytes * static_cast<double>(views.size()), 0.0, bytes);
+    }
+    if (lack.empty())
+    {
+      views[i] = drawn;
+    }
+  });
+  if (!lack.empty())
+  {
+    throw WorkError("The layers of " + std::to_string(views.size()) +
+      " views are too many: " + lack + ". Ask for fewer layers or smaller views.");
+  }
   try
   {
     Messages::Check("layers", !good);

@@ -293,6 +293,16 @@ int vtkRelievoLayerSource::RequestData(
 bool vtkRelievoLayerSource::CaptureEach(const std::function<void(std::size_t, vtkImageData*)>& take)
 {
   return this->Attached([&]() {
+    if (this->Views.empty())
+    {
+      vtkNew<vtkImageData> layers;
+      const bool good = this->Capture(layers);
+      if (good)
+      {
+        take(0, layers);
+      }
+      return good;
+    }
     return this->DrawEach([&take](std::size_t view, vtkImageData* layers) {
       take(view, layers);
       return true;

@@ -92,9 +92,10 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * Captures the views without an output: calls `take` with the number of each view and an image of
-   * its layers, which may be kept; more than once if a view has to be drawn again. Calls come while
-   * views are drawn: they must not change the scene. False after an error, which GetErrorCode()
-   * then returns.
+   * its layers, which may be kept; more than once if a view has to be drawn again. Without views,
+   * that of the renderer's camera is number 0. Calls come while views are drawn: they must neither
+   * change the scene nor throw. False, after an error, if a view cannot be drawn; GetErrorCode() is
+   * then NO_SUCH_LAYER if that is the reason.
    */
   bool CaptureEach(const std::function<void(std::size_t, vtkImageData*)>& take);
 #endif

@@ -307,6 +307,11 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const RaySizes& sizes, 
   vtkRelievoRayTree tree;
   std::string lack;
   tree.SetMeshes({ placed }, lack);
+  if (!lack.empty())
+  {
+    std::cerr << name << ": " << lack << "\n";
+    return false;
+  }
   const EmbreePeer peer(mesh, bounds);
   const EmbreeBoxes boxes(mesh, bounds);
   const std::vector<RayLine> lines = DrawLines(bounds, sizes.Rays);

@@ -9,9 +9,10 @@
 #include "vtk_zlib.h"
 
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <new>
 #include <system_error>
 
 namespace dataset
@@ -44,21 +45,29 @@ std::string EncodeRows(
   z_stream stream = {};
   constexpr int window = 15;
   constexpr int memory = 8;
-  deflateInit2(&stream, level, Z_DEFLATED, window, memory, strategy);
+  if (deflateInit2(&stream, level, Z_DEFLATED, window, memory, strategy) != Z_OK)
+  {
+    throw std::bad_alloc();
+  }
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> end(
+    &stream, [](z_stream* open) { return deflateEnd(open); });
   std::string packed(deflateBound(&stream, static_cast<uLong>(rows.size())), '\0');
   stream.next_in = reinterpret_cast<Bytef*>(rows.data());
   stream.avail_in = static_cast<uInt>(rows.size());
   stream.next_out = reinterpret_cast<Bytef*>(packed.data());
   stream.avail_out = static_cast<uInt>(packed.size());
-  deflate(&stream, Z_FINISH);
+  if (deflate(&stream, Z_FINISH) != Z_STREAM_END)
+  {
+    throw std::bad_alloc();
+  }
   packed.resize(stream.total_out);
-  deflateEnd(&stream);
 
   std::string header;
   AppendReversed(header, static_cast<std::size_t>(width));
   AppendReversed(header, static_cast<std::size_t>(height));
   header += static_cast<char>(bits);
-  header += static_cast<char>(components == 3 ? 2 : 0); // colours or grey levels
+  constexpr char types[] = { 0, 4, 2, 6 }; // grey levels or colours, without and with alpha
+  header += types[components - 1];
   header.append(3, '\0');
   std::string file = "\x89PNG\r\n\x1a\n";
   AppendChunk(file, "IHDR", header);
@@ -68,7 +77,7 @@ std::string EncodeRows(
 }
 
 // Bytes are stored as differences from those above. A choice among PNG's filters for each row, and
-// a longer search for repetitions, took three times as long for files at most a tenth smaller.
+// a longer search for repetitions, took three times as long for files a tenth smaller.
 std::string EncodeImage(const unsigned char* bytes, int columns, int rows, int bits, int components)
 {
   constexpr int level = 3;

@@ -211,6 +211,7 @@ public:
     this->IsPinhole = lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE;
     this->Returns.emplace(this->Scene, camera);
     this->PixelsShown = 0;
+    this->ForgetCells(); // of a camera that failed
     if (!this->AddPixels(number))
     {
       return false;
@@ -229,11 +230,8 @@ public:
         ++this->CellsSeen[cell];
         this->Angles[cell] += this->Shown[cell];
       }
-      this->Hit[cell] = 0;
-      this->Large[cell] = 0;
-      this->Shown[cell] = 0.0;
     }
-    this->CellsHit.clear();
+    this->ForgetCells();
     return true;
   }
 
@@ -276,6 +274,17 @@ private:
   vtkNew<vtkDoubleArray> Origins;
   vtkNew<vtkDoubleArray> Directions;
   vtkNew<vtkTable> Hits;
+
+  void ForgetCells()
+  {
+    for (const std::size_t cell : this->CellsHit)
+    {
+      this->Hit[cell] = 0;
+      this->Large[cell] = 0;
+      this->Shown[cell] = 0.0;
+    }
+    this->CellsHit.clear();
+  }
 
   vtkDataArray* Get(const char* column)
   {

@@ -34,7 +34,9 @@ std::string MakeUse(const vtkRelievoParameter& parameter)
 // Whether the letters on both sides of a place belong to one word.
 bool IsWithinWord(const std::string& text, std::size_t at)
 {
-  const auto isLetter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  const auto isLetter = [](char c) {
+    return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+  };
   return at > 0 && at < text.size() && isLetter(text[at - 1]) && isLetter(text[at]);
 }
 
