@@ -841,11 +841,25 @@ private Q_SLOTS:
     QCOMPARE(this->GetLights()[0], std::string("sun:2026-06-21T12:00+02:00,48,60"));
     this->Type("longitude", 30.0);
     QVERIFY2(!says().contains("longitude"), qPrintable(says()));
+    // So do sessions. A sun that is removed and added again has no typed zone.
+    const QString path = QString::fromStdString(this->Path("zone.json"));
+    this->Window->SaveSession(path);
+    const Words typed = this->GetLights();
+    this->GetButton("remove")->click();
+    this->Change([&typed](scene::Settings& settings) { settings.SetAll("--light", typed); });
+    QVERIFY2(says().contains("longitude"), qPrintable(says()));
+    this->Window->GetDocument()->Undo();
+    this->Window->GetDocument()->Undo();
+    QVERIFY2(!says().contains("longitude"), qPrintable(says()));
     for (int i = 0; i < 6; ++i) // before the zone was typed
     {
       this->Window->GetDocument()->Undo();
     }
     QVERIFY2(says().contains("UTC+1 (from the longitude"), qPrintable(says()));
+    this->Window->OpenSession(path);
+    this->WaitUntilRead();
+    QCOMPARE(this->GetLights(), typed);
+    QVERIFY2(!says().contains("longitude"), qPrintable(says()));
   }
 
   // A slider stands where its number is, also before it was ever moved.

@@ -19,6 +19,7 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -164,9 +165,16 @@ private Q_SLOTS:
     // Whoever looks for the depth among the arrays gets to the layers.
     auto* by = this->Find<QComboBox>("colors", "colorby");
     QVERIFY(by->itemText(by->count() - 1).startsWith("Depth"));
-    by->setCurrentIndex(by->count() - 1);
-    QCOMPARE(by->currentText(), QString("Normals"));
     auto* layers = this->Window->findChild<QDockWidget*>("layers");
+    QTest::keyClick(by, Qt::Key_End); // keys in the closed box do not reach that row
+    QTest::keyClick(by, Qt::Key_D);
+    QCOMPARE(by->currentText(), QString("Normals"));
+    QVERIFY(layers->visibleRegion().isEmpty());
+    by->showPopup();
+    QVERIFY(by->model()->flags(by->model()->index(by->count() - 1, 0)) & Qt::ItemIsEnabled);
+    QTest::keyClick(by->view(), Qt::Key_End);
+    QTest::keyClick(by->view(), Qt::Key_Return);
+    QCOMPARE(by->currentText(), QString("Normals"));
     QTRY_VERIFY_WITH_TIMEOUT(!layers->visibleRegion().isEmpty(), 20000);
     this->Choose("colors", "component", "");
     QCOMPARE(this->Get("--color-by"), std::string("Normals"));

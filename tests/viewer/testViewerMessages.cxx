@@ -157,8 +157,8 @@ private Q_SLOTS:
   void namesOfControls()
   {
     const auto quoted = [](const char* text) { return QString::fromUtf8(text); };
-    QCOMPARE(viewer::NameOptions("a.vti: holds labels; --image box shows the image"),
-      quoted("a.vti: holds labels; \u201cImages: box\u201d in Scene shows the image"));
+    QCOMPARE(viewer::NameOptions("a.vti: holds labels; --image volume shows them as a volume"),
+      quoted("a.vti: holds labels; \u201cImages: volume\u201d in Scene shows them as a volume"));
     QCOMPARE(viewer::NameOptions("--scalar-bar: no values; give --color-by NAME as well"),
       quoted("\u201cShow a colour bar\u201d in Look: no values; give \u201cColour by\u201d in "
              "Look as well"));

@@ -11,6 +11,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <utility>
 
 namespace testViewerSun
 {
@@ -83,7 +84,13 @@ private Q_SLOTS:
   void sayings()
   {
     using relievoQt::SunEdit;
-    QVERIFY(SunEdit::WritePlace(180.0, -12.34, true).startsWith("Night: the sun is 12.3"));
+    for (const auto& [elevation, text] : { std::pair(-2.34, "Civil twilight: the sun is 2.3"),
+           std::pair(-8.34, "Nautical twilight: the sun is 8.3"),
+           std::pair(-12.34, "Astronomical twilight: the sun is 12.3"),
+           std::pair(-18.34, "Night: the sun is 18.3") })
+    {
+      QVERIFY2(SunEdit::WritePlace(180.0, elevation, true).startsWith(text), text);
+    }
     QVERIFY(SunEdit::WritePlace(180.0, 12.34, true).startsWith("Day: the sun is 12.3"));
     QVERIFY(SunEdit::WritePlace(180.0, -12.34, false).contains("from beneath"));
     QVERIFY(SunEdit::WritePlace(180.0, 12.34, false).isEmpty());

@@ -8,6 +8,7 @@
 #include "Rows.h"
 #include "SunEdit.h"
 #include "TripleEdit.h"
+#include "TypedZones.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -19,7 +20,6 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -54,13 +54,6 @@ QString GetPartOfDay(const look::SunTime& time)
 {
   return relievoQt::SunEdit::NamePartOfDay(look::GetSunAngles(time).Elevation);
 }
-}
-
-//------------------------------------------------------------------------------
-bool HasTypedZone(const scene::Settings& settings, const std::string& light)
-{
-  const std::vector<std::string> typed = settings.GetAll(TypedZones);
-  return std::find(typed.begin(), typed.end(), light) != typed.end();
 }
 
 //------------------------------------------------------------------------------
@@ -200,6 +193,10 @@ void LightEdit::SetWord(const std::string& word, Owner owner)
 {
   const look::LightChoice light = look::ParseLight(word);
   const int up = this->Edited->GetUpAxis();
+  // The note of the settings may have changed where the word has not.
+  this->OwnZone = light.Time &&
+    (light.Time->TimeZone != FindZone(light.Time->Longitude) ||
+      HasTypedZone(this->Edited->Get(), word));
   this->setEnabled(owner != OFF);
   SetIdle(this->Intensity, owner == PRESET ? "Make it your own to change how bright it is." : "");
   this->ShowSoftness(light); // the size's effect may have changed
@@ -266,9 +263,6 @@ void LightEdit::ShowSoftness(const look::LightChoice& light)
 void LightEdit::ShowSun(const look::LightChoice& light)
 {
   const QSignalBlocker quiet[] = { QSignalBlocker(this->Sun->By), QSignalBlocker(this->Sun->Date) };
-  this->OwnZone = light.Time &&
-    (light.Time->TimeZone != FindZone(light.Time->Longitude) ||
-      HasTypedZone(this->Edited->Get(), this->Word));
   this->Time = light.Time.value_or(this->Time);
   this->Sun->Date->setDate(QDate(this->Time.Year, this->Time.Month, this->Time.Day));
   this->Sun->Time->SetValue(this->Time.Hour);

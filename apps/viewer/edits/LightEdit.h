@@ -29,13 +29,6 @@ namespace viewer
 class ColorButton;
 class TripleEdit;
 
-/// A note among the settings: the words of the suns whose time zone was typed, and does not follow
-/// the longitude, even where it is the longitude's. Undo brings it back; commands do not have it.
-constexpr const char* TypedZones = "(typed zones)";
-
-/// Whether the settings note this of the light.
-bool HasTypedZone(const scene::Settings& settings, const std::string& light);
-
 class LightEdit : public QWidget
 {
   Q_OBJECT

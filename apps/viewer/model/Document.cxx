@@ -6,6 +6,7 @@
 #include "Options.h"
 #include "Presets.h"
 #include "SurfaceSettings.h"
+#include "TypedZones.h"
 
 #include <algorithm>
 #include <exception>
@@ -98,6 +99,7 @@ void Document::Change(const std::function<void(scene::Settings&)>& edit, int num
   edit(settings);
   scene::DropIdleSurface(settings);
   scene::DropIdleFill(settings);
+  DropIdleZones(settings);
   this->Set(settings, number);
 }
 

@@ -7,6 +7,7 @@
 #include "Options.h"
 #include "Outputs.h"
 #include "Readers.h"
+#include "TypedZones.h"
 #include "vtkRelievoFileKind.h"
 
 #include <QFile>
@@ -126,6 +127,15 @@ void SaveSession(const QString& path, const Session& session)
   {
     root["keys"] = WriteKeys(session.Keys);
   }
+  QJsonArray zones;
+  for (const std::string& light : moving.GetAll(TypedZones))
+  {
+    zones.append(QString::fromStdString(light));
+  }
+  if (!zones.isEmpty())
+  {
+    root["typed_zones"] = zones;
+  }
   const std::string place = path.toStdString();
   reading::Outputs outputs;
   outputs.Add("Save", place, {});
@@ -179,6 +189,14 @@ Session LoadSession(const QString& path)
       reading::CheckExtension(each);
     }
     PlaceSun(view, root["sun"].toObject());
+    std::vector<std::string> zones;
+    const QJsonArray typed = root["typed_zones"].toArray();
+    for (const auto& light : typed)
+    {
+      zones.push_back(light.toString().toStdString());
+    }
+    view.SetAll(TypedZones, zones);
+    DropIdleZones(view);
     view.MakePathsAbsolute(QFileInfo(path).absolutePath().toStdString());
     return { view, ReadKeys(root["keys"]) };
   }

@@ -749,6 +749,7 @@ void MainWindow::Follow()
   const scene::Settings settings = this->Edited->Get();
   const std::string key = GetReadingKey(settings);
   this->Reading.Forget();
+  this->FirstIsSlow = false; // that was the former picture's
   if (settings.Files.empty())
   {
     this->ShowNothing();

@@ -14,13 +14,16 @@
 
 #include "vtkColorTransferFunction.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStandardItemModel>
 #include <QToolButton>
 
 #include <algorithm>
@@ -132,6 +135,7 @@ ColorsGroup::ColorsGroup(
   QObject::connect(document, &Document::asked, this, &ColorsGroup::ShowFound, Qt::QueuedConnection);
   QObject::connect(document, &Document::shown, this, &ColorsGroup::ShowFound);
   this->ShowArrays();
+  this->ColorBy->view()->installEventFilter(this);
 }
 
 //------------------------------------------------------------------------------
@@ -397,8 +401,29 @@ void ColorsGroup::ShowArrays()
     this->ColorBy->addItem(QString("Depth, normals and others") + QChar(0x2026), LayersRow);
     this->ColorBy->setItemData(
       this->ColorBy->count() - 1, "They are shown by the panel Layers", Qt::ToolTipRole);
+    this->EnableLayersRow(this->ColorBy->view()->isVisible());
   }
   this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+// Keys and the wheel step through the closed box, and must not leave the panel.
+void ColorsGroup::EnableLayersRow(bool enabled)
+{
+  if (auto* rows = qobject_cast<QStandardItemModel*>(this->ColorBy->model()))
+  {
+    rows->item(this->ColorBy->findData(LayersRow))->setEnabled(enabled);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ColorsGroup::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::Show || event->type() == QEvent::Hide)
+  {
+    this->EnableLayersRow(event->type() == QEvent::Show); // the list opens or closes
+  }
+  return this->FoldGroup::eventFilter(watched, event);
 }
 
 //------------------------------------------------------------------------------

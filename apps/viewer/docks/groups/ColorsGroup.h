@@ -45,6 +45,9 @@ Q_SIGNALS:
   /// Depth, normals or other layers were looked for among the arrays.
   void layersWanted();
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   void AddMap();
   void AddRange();
@@ -59,6 +62,7 @@ private:
   void SwitchRange(bool automatic);
   void Paint();
   void ShowArrays();
+  void EnableLayersRow(bool enabled);
   void ShowSettings();
   void ShowComponents(const std::string& name, const QString& component);
 

@@ -10,6 +10,7 @@
 #include "Presets.h"
 #include "Rows.h"
 #include "SunEdit.h"
+#include "TypedZones.h"
 
 #include <QEvent>
 #include <QFormLayout>
@@ -373,19 +374,13 @@ void LightsGroup::SetLight(int place, const std::string& word, bool ownZone)
   if (place >= 0 && place < static_cast<int>(lights.size()))
   {
     std::string& light = lights[static_cast<std::size_t>(place)];
-    std::vector<std::string> typed;
-    if (ownZone || HasTypedZone(this->Edited->Get(), light))
+    std::vector<std::string> typed = this->Edited->Get().GetAll(TypedZones);
+    if ((ownZone || HasTypedZone(this->Edited->Get(), light)) &&
+      !HasTypedZone(this->Edited->Get(), word))
     {
       typed.push_back(word);
     }
     light = word;
-    for (const std::string& each : this->Edited->Get().GetAll(TypedZones))
-    {
-      if (each != word && std::find(lights.begin(), lights.end(), each) != lights.end())
-      {
-        typed.push_back(each);
-      }
-    }
     this->Edited->Change([&](scene::Settings& settings) {
       settings.SetAll("--light", lights);
       settings.SetAll(TypedZones, typed);
