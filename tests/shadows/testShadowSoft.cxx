@@ -17,11 +17,16 @@
 #include "View.h"
 #include "Window.h"
 
+#include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkCubeSource.h>
 #include <vtkFloatArray.h>
+#include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRelievoAntialiasStage.h>
 #include <vtkRelievoLightSamples.h>
@@ -294,6 +299,19 @@ void TestNearest()
   ShadowStage stage(160, 120);
   stage.AddThings();
   stage.AddSun(-3., 4., -2.);
+  // A caster that OpenGL draws over those of the processor.
+  vtkNew<vtkPolyData> place;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(1.3, 0.9, 1.2);
+  place->SetPoints(points);
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(place);
+  mapper->SetSourceConnection(cube->GetOutputPort());
+  mapper->SetScaleFactor(0.4);
+  vtkNew<vtkActor> glyph;
+  glyph->SetMapper(mapper);
+  stage.Renderer->AddActor(glyph);
   vtkRelievoShadowStage* shadows = stage.GetShadows();
   shadows->EnabledOn();
   shadows->SetMapSize(512);

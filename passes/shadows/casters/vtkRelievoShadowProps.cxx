@@ -529,9 +529,10 @@ int vtkRelievoShadowProps::RasterizeCasters(vtkRenderer* renderer, const vtkReli
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
-  vtkRelievoCasterDraw& plainDraw, bool withoutFollowed, bool withoutRastered)
+bool vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
+  vtkRelievoCasterDraw& plainDraw, bool withoutFollowed, bool withoutRastered, int& draws)
 {
+  bool any = false;
   std::vector<vtkActor*> plain;
   for (std::size_t i = 0; i < this->Casters.size(); ++i)
   {
@@ -541,6 +542,7 @@ int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievo
     {
       continue;
     }
+    any = true;
     if (vtkActor* actor = plainDraw.GetPlainActor(caster.Prop))
     {
       plain.push_back(actor);
@@ -548,7 +550,8 @@ int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievo
     }
     this->RenderAny(caster, renderer);
   }
-  return RenderPlain(renderer, plain, view.ViewToNDC * view.WorldToView, plainDraw);
+  draws += RenderPlain(renderer, plain, view.ViewToNDC * view.WorldToView, plainDraw);
+  return any;
 }
 
 //------------------------------------------------------------------------------

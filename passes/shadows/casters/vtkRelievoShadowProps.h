@@ -110,9 +110,9 @@ public:
 
   // Draws the depth of casters in the view, or of those left by Follow: plain meshes from their
   // buffers, other props by themselves, without those drawn by RasterizeCasters if so chosen.
-  // Returns the draw calls for plain meshes.
-  int RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
-    vtkRelievoCasterDraw& plainDraw, bool withoutFollowed, bool withoutRastered);
+  // Adds the draw calls for plain meshes to `draws`; returns whether there was a caster to draw.
+  bool RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
+    vtkRelievoCasterDraw& plainDraw, bool withoutFollowed, bool withoutRastered, int& draws);
 
   // Discards data about glyphs, which are computed again when needed.
   void ForgetGlyphs() { this->Glyphs = vtkRelievoGlyphPlaces(); }

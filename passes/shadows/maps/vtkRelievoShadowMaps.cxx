@@ -209,7 +209,7 @@ bool vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
           failed = true;
           this->Raster = vtkRelievoDepthRaster();
         }
-        return 0;
+        return false;
       });
     });
     drawn = drawn && !failed && !this->Raster.GetDepths().empty();
@@ -224,11 +224,11 @@ bool vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
     const GLfloat farthest = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
   }
-  int draws = 0;
+  bool others = false;
   forPieces([&](const vtkRelievoShadowView& piece, const int region[4]) {
-    draws += this->DrawPiece(piece, region, renderer, drawn, casters);
+    others = this->DrawPiece(piece, region, renderer, drawn, casters) || others;
   });
-  if (!drawn || draws > 0)
+  if (!drawn || others)
   {
     this->Nearest.Forget(layer);
   }
@@ -236,7 +236,7 @@ bool vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoShadowMaps::DrawPiece(const vtkRelievoShadowView& view, const int region[4],
+bool vtkRelievoShadowMaps::DrawPiece(const vtkRelievoShadowView& view, const int region[4],
   vtkRenderer* renderer, bool others, const Casters& casters)
 {
   vtkOpenGLState* state = this->Window->GetState();
@@ -255,9 +255,9 @@ int vtkRelievoShadowMaps::DrawPiece(const vtkRelievoShadowView& view, const int 
   vtkCamera*& active = vtkRelievoAccess::Renderer::CameraInUse(renderer);
   vtkCamera* const own = active;
   active = this->Camera;
-  const int draws = casters(view, others);
+  const bool any = casters(view, others);
   active = own;
-  return draws;
+  return any;
 }
 
 //------------------------------------------------------------------------------

@@ -64,11 +64,11 @@ public:
   void Begin();
   // `inMemory`, if given, is called first, also for each piece: it draws casters by the processor
   // into a part of the map (x, y, width, height), and returns whether the map has any. `casters`
-  // draws the others, or all if memory has no room for the map, and returns the number of its draw
-  // calls. Returns whether `inMemory` drew any.
+  // draws the others, or all if memory has no room for the map, and returns whether there was one.
+  // Returns whether `inMemory` drew any.
   using CastersInMemory =
     std::function<bool(const vtkRelievoShadowView&, const int[4], vtkRelievoDepthRaster&)>;
-  using Casters = std::function<int(const vtkRelievoShadowView&, bool others)>;
+  using Casters = std::function<bool(const vtkRelievoShadowView&, bool others)>;
   bool Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
     const CastersInMemory& inMemory, const Casters& casters);
   void End();
@@ -98,7 +98,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  int DrawPiece(const vtkRelievoShadowView& view, const int region[4], vtkRenderer* renderer,
+  bool DrawPiece(const vtkRelievoShadowView& view, const int region[4], vtkRenderer* renderer,
     bool others, const Casters& casters);
   void BindTexture(unsigned int texture);
 

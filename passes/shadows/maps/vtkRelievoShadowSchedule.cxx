@@ -112,10 +112,8 @@ int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowContext& work, vtkRenderer* r
       const bool isRastered = work.Maps.Draw(map.Layer, map.View, renderer,
         software ? inMemory : vtkRelievoShadowMaps::CastersInMemory(),
         [&](const vtkRelievoShadowView& view, bool others) {
-          const int own =
-            work.Props.RenderCasters(renderer, view, work.PlainDraw, work.WithoutFollowed, others);
-          draws += own;
-          return own;
+          return work.Props.RenderCasters(
+            renderer, view, work.PlainDraw, work.WithoutFollowed, others, draws);
         });
       draws += isRastered ? inMap : 0;
       if (this->Exchange.IsOn())
