@@ -170,6 +170,14 @@ using Shifting = vtkOpenGLPolyDataMapper;
 using Shifting = vtkPolyDataMapper;
 #endif
 
+// The rule of vtkOpenGLVertexBufferObject for points alone.
+bool IsFarOrUnlikeOne(const glm::dvec3& low, const glm::dvec3& high)
+{
+  const double size = glm::length(high - low);
+  const double away = 0.5 * glm::length(low + high);
+  return size > 0.0 ? away > 1e3 * size || std::abs(std::log10(size)) > 1.5 : away > 1e3;
+}
+
 // The largest coordinate that VTK's buffer of these points holds as a float, in units of the mesh:
 // VTK shifts points that are large or far from the origin to their centre. Blocks are shifted
 // together.
@@ -191,10 +199,7 @@ double GetReach(vtkMapper* mapper, const vtkBoundingBox& points, bool blocks)
   bool shifts = method != Buffer::DISABLE_SHIFT_SCALE;
   if (method == Buffer::AUTO_SHIFT_SCALE && !blocks)
   {
-    // The rule of vtkOpenGLVertexBufferObject.
-    const double size = 2.0 * glm::length(half);
-    const double away = 0.5 * glm::length(low + high);
-    shifts = size > 0.0 ? away > 1e3 * size || std::abs(std::log10(size)) > 1.5 : away > 1e3;
+    shifts = IsFarOrUnlikeOne(low, high);
   }
   // For blocks, the other methods use one block's centre for all blocks.
   const bool first = blocks && method != Buffer::AUTO_SHIFT_SCALE;
@@ -460,6 +465,20 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, Wanted wanted, vtkRelievoGl
   }
   return AddMesh(mesh, manner, meshes);
 }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPropMeshes::IsShifted(vtkPolyData* mesh)
+{
+  const vtkBoundingBox box = GetBox(mesh);
+  glm::dvec3 low(0.0);
+  glm::dvec3 high(0.0);
+  if (box.IsValid())
+  {
+    box.GetBounds(low.x, high.x, low.y, high.y, low.z, high.z);
+  }
+  return vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled() &&
+    IsFarOrUnlikeOne(low, high);
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,10 @@ enum class Wanted
 VTKRELIEVORAYS_EXPORT bool Collect(vtkProp* prop, Wanted wanted, vtkRelievoGlyphPlaces& glyphs,
   std::vector<vtkRelievoPlacedMesh>& meshes, vtkIdType* tooMany = nullptr);
 
+// Whether VTK shifts and scales the points of a mesh before it rounds them to floats, unless its
+// mapper chooses otherwise or draws blocks.
+VTKRELIEVORAYS_EXPORT bool IsShifted(vtkPolyData* mesh);
+
 // The largest coordinate that OpenGL rounds to float to draw the mesh, in world units.
 VTKRELIEVORAYS_EXPORT double GetRoundedReach(const vtkRelievoPlacedMesh& mesh);
 }

@@ -35,6 +35,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataAlgorithm.h>
+#include <vtkProperty.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowCertificate.h>
 #include <vtkRelievoShadowStage.h>
@@ -371,6 +372,36 @@ void TestBlocks()
   swarm.CheckMaps(1, "a flat glyph");
 }
 
+// Verdicts for each pixel where VTK's places are known bit for bit, otherwise for each fragment.
+void TestFound()
+{
+  constexpr int Count = 800;
+  const auto getBytes = [](Swarm& swarm) {
+    return static_cast<double>(swarm.Stage.GetShadows()->GetBytesHeld());
+  };
+  Swarm swarm(Count, Way::Plain);
+  swarm.Check("found");
+  swarm.Actor->GetProperty()->EdgeVisibilityOn();
+  swarm.Check("edges");
+  const double edges = getBytes(swarm);
+  swarm.Actor->GetProperty()->EdgeVisibilityOff();
+  swarm.Check("faces again");
+  const double most = getBytes(swarm) - 64. * Count; // without the matrices of places
+  RELIEVO_CHECK_AT_MOST(edges, most, "edges: bytes held");
+  vtkPoints* points = swarm.Sources[0]->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, 0.01 * p[0], 0.01 * p[1], 0.01 * p[2]);
+  }
+  points->Modified();
+  swarm.Sources[0]->Modified();
+  swarm.Mapper->SetScaleFactor(swarm.Factor *= 100.);
+  swarm.Check("small source");
+  RELIEVO_CHECK_AT_MOST(getBytes(swarm), most, "small source: bytes held");
+}
+
 // 10^5 instances: a source once, at most 208 bytes for each of them, and a certificate.
 void TestMany()
 {
@@ -398,6 +429,7 @@ RELIEVO_TEST_CASE(testShadowGlyphs)
   TestChanges();
   TestFar();
   TestBlocks();
+  TestFound();
   TestMany();
   return session.Result();
 }

@@ -45,6 +45,7 @@ public:
 
   // Like GetPlainActor, but also accepts an actor with a small depth offset by VTK (IsOffset).
   vtkActor* GetSurface(vtkProp* prop) const;
+  static bool DrawsOnlyFaces(vtkActor* actor); // as its property and its mapper's settings are
   static bool IsOffset(vtkActor* actor);
   static glm::vec2 GetOffset(vtkActor* actor); // slope factor and constant
 
@@ -84,7 +85,6 @@ private:
   bool IsKnown(vtkOpenGLPolyDataMapper* mapper) const; // by its present buffers
   static bool IsCurrent(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
   bool IsBuilt(vtkOpenGLPolyDataMapper* mapper) const;
-  static bool DrawsOnlyFaces(vtkActor* actor); // as its property and its mapper's settings are
   static glm::dmat4 GetBufferToWorld(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
   int Draw(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
 

@@ -644,10 +644,15 @@ std::vector<vtkRelievoPlacedMesh> vtkRelievoShadowProps::GetSeenGlyphs()
   {
     auto* actor = vtkActor::SafeDownCast(prop);
     if (actor && vtkGlyph3DMapper::SafeDownCast(actor->GetMapper()) && actor->HasOpaqueGeometry() &&
-      !vtkRelievoCasterDraw::IsOffset(actor) && !actor->GetProperty()->GetBackfaceCulling() &&
-      !actor->GetProperty()->GetFrontfaceCulling())
+      vtkRelievoCasterDraw::DrawsOnlyFaces(actor) && !vtkRelievoCasterDraw::IsOffset(actor) &&
+      !actor->GetProperty()->GetBackfaceCulling() && !actor->GetProperty()->GetFrontfaceCulling())
     {
-      vtkRelievoPropMeshes::Collect(prop, Wanted::Opaque, this->Glyphs, glyphs);
+      std::vector<vtkRelievoPlacedMesh> sources;
+      vtkRelievoPropMeshes::Collect(prop, Wanted::Opaque, this->Glyphs, sources);
+      // VTK draws shifted points at places rounded in another way.
+      const bool asDrawn = std::none_of(sources.begin(), sources.end(),
+        [](const auto& source) { return vtkRelievoPropMeshes::IsShifted(source.Mesh); });
+      glyphs.insert(glyphs.end(), sources.begin(), asDrawn ? sources.end() : sources.begin());
     }
   }
   return glyphs;

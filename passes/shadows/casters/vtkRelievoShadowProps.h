@@ -75,7 +75,8 @@ public:
 
   // Casters that rays can trace triangle by triangle.
   std::vector<vtkRelievoPlacedMesh> Follow();
-  // Visible opaque glyphs that are drawn from both sides, without an offset, at known places.
+  // Visible opaque glyphs that are drawn from both sides, as faces only and without an offset, at
+  // known places, from sources whose points VTK does not shift.
   std::vector<vtkRelievoPlacedMesh> GetSeenGlyphs();
   // Triangles of a mesh that Follow left because they are too many; 0: there is none.
   vtkIdType GetTooManyTriangles() const { return this->TooManyTriangles; }
@@ -101,8 +102,8 @@ public:
   void RemovePass(vtkOpenGLRenderPass* pass);
 
   // Draws the plain meshes and many spheres among the casters by the processor, in place of
-  // RenderCasters. Call BeginRaster before the first view of a map. Returns the number of meshes,
-  // which count as draw calls.
+  // RenderCasters. Call BeginRaster before the first view of a map. Returns the number of
+  // meshes and clouds of spheres, which count as draw calls.
   void BeginRaster() { this->Rastered.clear(); }
   bool HasRastered() const { return !this->Rastered.empty(); }
   int RasterizeCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view, const int region[4],

@@ -128,6 +128,7 @@ int vtkRelievoVisibilityPrepass::DrawSurfaces(
 {
   if ((actors.empty() && this->Glyphs.IsEmpty()) || !this->Fits)
   {
+    this->Glyphs.Unbind();
     this->SurfacesDrawn.clear();
     return 0;
   }
@@ -147,6 +148,7 @@ int vtkRelievoVisibilityPrepass::DrawSurfaces(
   this->Glyphs.AddState(seen);
   if (seen == this->SurfacesDrawn)
   {
+    this->Glyphs.Unbind();
     return 0;
   }
   constexpr std::ptrdiff_t camera = 32; // number of values
@@ -369,6 +371,7 @@ void vtkRelievoVisibilityPrepass::SetActorUniforms(vtkShaderProgram* program, vt
 //------------------------------------------------------------------------------
 void vtkRelievoVisibilityPrepass::Unbind()
 {
+  this->Glyphs.Unbind();
   for (int& unit : this->Units)
   {
     if (unit >= 0 && this->Window)
@@ -485,10 +488,13 @@ bool vtkRelievoVisibilityPrepass::IsReady()
   }
   this->Checked = true;
   std::string fault;
-  for (const std::string name : { "shadow/seen", "shadow/tiles", "shadow/verdicts" })
+  for (const std::string name :
+    { "shadow/seen", "shadow/seenGlyphs", "shadow/tiles", "shadow/verdicts" })
   {
-    const bool compiles = this->Window->GetShaderCache()->ReadyShaderProgram(
-      this->GetSource(name + "VS.glsl").c_str(), this->GetSource(name + "FS.glsl").c_str(), "");
+    const std::string fragments = name == "shadow/seenGlyphs" ? "shadow/seen" : name;
+    const bool compiles =
+      this->Window->GetShaderCache()->ReadyShaderProgram(this->GetSource(name + "VS.glsl").c_str(),
+        this->GetSource(fragments + "FS.glsl").c_str(), "");
     fault = compiles ? fault : "the shader " + name + " does not compile";
   }
   for (const int target : { Surfaces, Verdicts, Tiles })

@@ -13,8 +13,8 @@
 
 #include "vtkRelievoBoxTree.h"
 #include "vtkRelievoFrameCamera.h"
-#include "vtkRelievoGlyphDraw.h"
 #include "vtkRelievoScopedState.h"
+#include "vtkRelievoSeenGlyphs.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
@@ -60,7 +60,8 @@ public:
   // Number of lights whose verdicts can be stored; 0: none.
   int GetMostLights() const;
 
-  // The visible glyphs of a frame. False if OpenGL has no memory for all, or nothing fits.
+  // The visible glyphs of a frame. False without memory for all or a texture unit, or if nothing
+  // fits.
   bool SetGlyphs(const std::vector<vtkRelievoPlacedMesh>& glyphs);
 
   // Draws the visible surfaces of these actors and the glyphs, unless they are known from the
@@ -131,7 +132,7 @@ private:
   bool Checked = false;
   unsigned int Textures[Count] = {};
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkRelievoGlyphDraw Glyphs;
+  vtkRelievoSeenGlyphs Glyphs;
   std::unique_ptr<vtkRelievoScopedState> SavedState; // while drawing
   std::vector<double> SurfacesDrawn;                 // state of the present data; empty: none
   std::vector<double> VerdictsDrawn;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoGlyphDraw.h"
+#include "vtkRelievoSeenGlyphs.h"
 
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
@@ -9,28 +9,49 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <new>
 
 //------------------------------------------------------------------------------
-bool vtkRelievoGlyphDraw::Update(
+bool vtkRelievoSeenGlyphs::Content::IsOf(const vtkRelievoPlacedMesh& glyph) const
+{
+  return this->Mesh == glyph.Mesh && this->Time == glyph.Mesh->GetMTime() &&
+    this->Places == glyph.Places;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSeenGlyphs::Content vtkRelievoSeenGlyphs::GetContent(const vtkRelievoPlacedMesh& glyph)
+{
+  Content content;
+  content.Mesh = glyph.Mesh;
+  content.Time = glyph.Mesh->GetMTime();
+  content.Places = glyph.Places;
+  return content;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSeenGlyphs::Update(
   vtkOpenGLRenderWindow* window, const std::vector<vtkRelievoPlacedMesh>& glyphs)
 {
+  if (!glyphs.empty() &&
+    std::equal(this->Refused.begin(), this->Refused.end(), glyphs.begin(), glyphs.end(),
+      [](const Content& content, const auto& glyph) { return content.IsOf(glyph); }))
+  {
+    return false;
+  }
+  this->Refused.clear();
   std::vector<std::unique_ptr<Group>> before = std::move(this->Groups);
   this->Groups.clear();
   bool fits = true;
   for (const vtkRelievoPlacedMesh& glyph : glyphs)
   {
-    const auto same = std::find_if(before.begin(), before.end(), [&](const auto& group) {
-      return group && group->Mesh == glyph.Mesh && group->Time == glyph.Mesh->GetMTime() &&
-        group->Places == glyph.Places;
-    });
+    const auto same = std::find_if(
+      before.begin(), before.end(), [&](const auto& group) { return group && group->IsOf(glyph); });
     std::unique_ptr<Group> group =
       same == before.end() ? std::make_unique<Group>() : std::move(*same);
     group->ToWorld = glyph.MeshToWorld;
     if (same == before.end())
     {
-      group->Mesh = glyph.Mesh;
-      group->Time = glyph.Mesh->GetMTime();
-      group->Places = glyph.Places;
+      static_cast<Content&>(*group) = GetContent(glyph);
       group->Version = ++this->Version;
       fits = fits && Fill(*group, window);
     }
@@ -46,13 +67,28 @@ bool vtkRelievoGlyphDraw::Update(
   if (!fits)
   {
     this->Release(window);
+    for (const vtkRelievoPlacedMesh& glyph : glyphs)
+    {
+      this->Refused.push_back(GetContent(glyph));
+    }
+    return false;
   }
-  return fits;
+  if (!this->Groups.empty())
+  {
+    this->Groups.front()->Matrices.Activate();
+    if (this->Groups.front()->Matrices.GetTextureUnit() < 0)
+    {
+      this->Release(window);
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
 // False without memory.
-bool vtkRelievoGlyphDraw::Fill(Group& group, vtkOpenGLRenderWindow* window)
+bool vtkRelievoSeenGlyphs::Fill(Group& group, vtkOpenGLRenderWindow* window)
+try
 {
   std::vector<float> points;
   vtkPolyData* mesh = group.Mesh;
@@ -97,9 +133,13 @@ bool vtkRelievoGlyphDraw::Fill(Group& group, vtkOpenGLRenderWindow* window)
   glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
   return glGetError() == GL_NO_ERROR;
 }
+catch (const std::bad_alloc&)
+{
+  return false;
+}
 
 //------------------------------------------------------------------------------
-void vtkRelievoGlyphDraw::AddState(std::vector<double>& state) const
+void vtkRelievoSeenGlyphs::AddState(std::vector<double>& state) const
 {
   for (const auto& group : this->Groups)
   {
@@ -109,9 +149,10 @@ void vtkRelievoGlyphDraw::AddState(std::vector<double>& state) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoGlyphDraw::Draw(vtkShaderProgram* program, const glm::dmat4& worldToNDC,
+bool vtkRelievoSeenGlyphs::Draw(vtkShaderProgram* program, const glm::dmat4& worldToNDC,
   const glm::dmat4& worldToView, int& calls)
 {
+  this->Unbind(); // each group takes the reserved unit
   const auto attribute =
     static_cast<GLuint>(glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), "vertexMC"));
   for (const auto& group : this->Groups)
@@ -146,18 +187,28 @@ bool vtkRelievoGlyphDraw::Draw(vtkShaderProgram* program, const glm::dmat4& worl
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkRelievoGlyphDraw::GetBytes() const
+void vtkRelievoSeenGlyphs::Unbind()
+{
+  for (const auto& group : this->Groups)
+  {
+    group->Matrices.Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoSeenGlyphs::GetBytes() const
 {
   vtkIdType bytes = 0;
   for (const auto& group : this->Groups)
   {
-    bytes += group->Matrices.GetBytes() + 12 * group->Points + 4 * group->Corners;
+    bytes += group->Matrices.GetBytes() + 12 * static_cast<vtkIdType>(group->Points) +
+      4 * static_cast<vtkIdType>(group->Corners);
   }
   return bytes;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoGlyphDraw::Release(Group& group, vtkWindow* window)
+void vtkRelievoSeenGlyphs::Release(Group& group, vtkWindow* window)
 {
   group.Matrices.Release(window);
   if (window && group.Buffers[0])
@@ -168,11 +219,12 @@ void vtkRelievoGlyphDraw::Release(Group& group, vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoGlyphDraw::Release(vtkWindow* window)
+void vtkRelievoSeenGlyphs::Release(vtkWindow* window)
 {
   for (const auto& group : this->Groups)
   {
     Release(*group, window);
   }
   this->Groups.clear();
+  this->Refused.clear();
 }

@@ -3,8 +3,8 @@
 //
 // Draws glyphs of vtkGlyph3DMapper from buffers of its own, at the places that VTK's shaders have,
 // bit for bit: VTK does not give out its mapper's buffers.
-#ifndef vtkRelievoGlyphDraw_h
-#define vtkRelievoGlyphDraw_h
+#ifndef vtkRelievoSeenGlyphs_h
+#define vtkRelievoSeenGlyphs_h
 
 #include "vtkRelievoPlacedMesh.h"
 #include "vtkRelievoTextureBuffer.h"
@@ -19,10 +19,11 @@ class vtkPolyData;
 class vtkShaderProgram;
 class vtkWindow;
 
-class vtkRelievoGlyphDraw
+class vtkRelievoSeenGlyphs
 {
 public:
-  // Uploads what has changed. False, and there are none, if OpenGL has no memory for all.
+  // Uploads what has changed, and reserves a texture unit until Draw. False, and there are none,
+  // without a unit, or without memory for all.
   bool Update(vtkOpenGLRenderWindow* window, const std::vector<vtkRelievoPlacedMesh>& glyphs);
 
   // Appends numbers that change with what is drawn.
@@ -35,17 +36,23 @@ public:
   bool Draw(vtkShaderProgram* program, const glm::dmat4& worldToNDC, const glm::dmat4& worldToView,
     int& calls);
 
+  void Unbind();
   vtkIdType GetBytes() const;
 
   // Deletes the buffers in the window's current context; without a window they are gone already.
   void Release(vtkWindow* window);
 
 private:
-  struct Group
+  struct Content
   {
     vtkWeakPointer<vtkPolyData> Mesh;
     vtkMTimeType Time = 0;
     std::shared_ptr<const std::vector<glm::dmat4>> Places; // held: no others get their address
+
+    bool IsOf(const vtkRelievoPlacedMesh& glyph) const;
+  };
+  struct Group : Content
+  {
     glm::dmat4 ToWorld{ 1.0 };
     double Version = 0.0; // of the buffers
     int Corners = 0;
@@ -53,11 +60,13 @@ private:
     unsigned int Buffers[2] = {}; // of points and corners
     vtkRelievoTextureBuffer Matrices;
   };
+  static Content GetContent(const vtkRelievoPlacedMesh& glyph);
   static bool Fill(Group& group, vtkOpenGLRenderWindow* window);
   static void Release(Group& group, vtkWindow* window);
 
   std::vector<std::unique_ptr<Group>> Groups;
-  double Version = 0.0; // of the last buffers
+  double Version = 0.0;         // of the last buffers
+  std::vector<Content> Refused; // the last glyphs, if there was no memory for them
 };
 
 #endif
