@@ -468,6 +468,12 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, Wanted wanted, vtkRelievoGl
 }
 
 //------------------------------------------------------------------------------
+double vtkRelievoPropMeshes::GetReach(vtkMapper* mapper, vtkPolyData* mesh)
+{
+  return ::GetReach(mapper, GetBox(mesh), false);
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoPropMeshes::IsShifted(vtkPolyData* mesh)
 {
   const vtkBoundingBox box = GetBox(mesh);

@@ -11,6 +11,7 @@
 
 #include <vector>
 
+class vtkMapper;
 class vtkProp;
 class vtkRelievoGlyphPlaces;
 
@@ -35,6 +36,10 @@ VTKRELIEVORAYS_EXPORT bool Collect(vtkProp* prop, Wanted wanted, vtkRelievoGlyph
 // Whether VTK shifts and scales the points of a mesh before it rounds them to floats, unless its
 // mapper chooses otherwise or draws blocks.
 VTKRELIEVORAYS_EXPORT bool IsShifted(vtkPolyData* mesh);
+
+// The largest coordinate of the mesh that OpenGL's buffers hold as a float, in the mesh's units.
+// The mapper, which does not draw blocks, may choose how VTK shifts them.
+VTKRELIEVORAYS_EXPORT double GetReach(vtkMapper* mapper, vtkPolyData* mesh);
 
 // The largest coordinate that OpenGL rounds to float to draw the mesh, in world units.
 VTKRELIEVORAYS_EXPORT double GetRoundedReach(const vtkRelievoPlacedMesh& mesh);

@@ -423,10 +423,14 @@ void DrawDiscs(const Target& target, const vtkRelievoPointGroups::Mesh& points, 
   {
     const glm::dvec3 place(points.Places[i]);
     glm::dvec4 p = low + place.x * toMap[0] + place.y * toMap[1] + place.z * toMap[2];
+    if (!(p.w > 0.0))
+    {
+      continue;
+    }
     p /= p.w;
     const float z = target.Limit(p.z);
     // False also if the point is no place.
-    if (!(p.w > 0.0 && z < 1.0f && p.x > box.Left - radius && p.x < box.Right + radius &&
+    if (!(z < 1.0f && p.x > box.Left - radius && p.x < box.Right + radius &&
           p.y > box.Low - radius && p.y < box.High + radius))
     {
       continue;

@@ -451,18 +451,11 @@ void vtkRelievoShadowProps::RenderAny(const Caster& caster, vtkRenderer* rendere
 
 //------------------------------------------------------------------------------
 // Whether the floats in OpenGL's buffers, which receive the shadows, are within a fraction of a
-// texel of the points. VTK subtracts an origin if it is far from the points.
+// texel of the points.
 bool vtkRelievoShadowProps::HasExactFloats(
   vtkPolyData* points, vtkActor* actor, const vtkRelievoShadowView& view, const int region[4])
 {
-  double bounds[6];
-  points->GetPoints()->GetBounds(bounds);
-  double farthest = 0.0;
-  for (const double bound : bounds)
-  {
-    farthest = std::max(farthest, std::abs(bound));
-  }
-  const double stored = std::min(farthest, 100.0 * points->GetLength());
+  const double stored = vtkRelievoPropMeshes::GetReach(actor->GetMapper(), points);
   const glm::dmat4 rows =
     glm::transpose(view.ViewToNDC * view.WorldToView * vtkRelievoToGlm(actor->GetMatrix()));
   const double across = 0.5 * std::max(region[2], region[3]) *
@@ -490,7 +483,13 @@ int vtkRelievoShadowProps::RasterizeCasters(vtkRenderer* renderer, const vtkReli
       seen.insert(this->Seen.begin(), this->Seen.end());
     }
     vtkPolyData* points = vtkRelievoHiddenPoints::GetMesh(caster.Prop);
-    if (points && HasExactFloats(points, static_cast<vtkActor*>(caster.Prop), view, region))
+    if (points && !HasExactFloats(points, static_cast<vtkActor*>(caster.Prop), view, region))
+    {
+      this->Inexact.insert(caster.Prop);
+      this->Rastered.erase(caster.Prop);
+      continue;
+    }
+    if (points)
     {
       if (seen.count(caster.Prop) > 0)
       {
@@ -500,7 +499,10 @@ int vtkRelievoShadowProps::RasterizeCasters(vtkRenderer* renderer, const vtkReli
       raster.Draw(this->PointGroups.Get(points), spheres->GetProperty()->GetPointSize(),
         view.ViewToNDC * view.WorldToView * vtkRelievoToGlm(spheres->GetMatrix()), region,
         view.Clamps());
-      this->Rastered.insert(caster.Prop);
+      if (this->Inexact.count(caster.Prop) == 0)
+      {
+        this->Rastered.insert(caster.Prop);
+      }
       ++drawn;
       continue;
     }

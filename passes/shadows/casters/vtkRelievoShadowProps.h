@@ -104,7 +104,11 @@ public:
   // Draws the plain meshes and many spheres among the casters by the processor, in place of
   // RenderCasters. Call BeginRaster before the first view of a map. Returns the number of
   // meshes and clouds of spheres, which count as draw calls.
-  void BeginRaster() { this->Rastered.clear(); }
+  void BeginRaster()
+  {
+    this->Rastered.clear();
+    this->Inexact.clear();
+  }
   bool HasRastered() const { return !this->Rastered.empty(); }
   int RasterizeCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view, const int region[4],
     vtkRelievoCasterDraw& plainDraw, bool withoutFollowed, vtkRelievoDepthRaster& raster);
@@ -174,7 +178,8 @@ private:
   std::vector<vtkRelievoBox> CasterBoxes; // one per entry of Casters
   std::set<vtkProp*> Followed;            // of Casters
   std::set<vtkProp*> Rastered;            // of Casters, in the map that is being drawn
-  vtkIdType TooManyTriangles = 0;         // of a mesh left for its triangles
+  std::set<vtkProp*> Inexact;     // of Casters: points that OpenGL draws, for a view of this map
+  vtkIdType TooManyTriangles = 0; // of a mesh left for its triangles
   std::vector<vtkRelievoBox> ReceiverBoxes;
   std::vector<vtkRelievoBox> AllBoxes; // of receivers, whether chosen or not
   std::string VolumesWithout;
