@@ -220,7 +220,7 @@ void TestCost()
   // The linear colour with its depth, three words of the G-buffer, in four on a GPU; as quads, a
   // sum of one float with a depth as well.
   const long long texel = vtkRelievoIsSoftwareOpenGL() ? 16 : 8;
-  const long long color = (texel + 4) + 2 * texel;
+  const long long color = (texel + 4) + texel;
   const long long words = vtkRelievoIsSoftwareOpenGL() ? 12 : 16;
   const long long lists = 3 * 8 * 4 + 4 * 4;
   RELIEVO_CHECK_NEAR(static_cast<double>(scene.Frame->GetBytesHeld()),

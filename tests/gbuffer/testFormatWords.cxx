@@ -18,6 +18,7 @@
 #include <vtkPlaneSource.h>
 #include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoSoftwareOpenGL.h>
 
 #include <cmath>
 #include <limits>
@@ -65,11 +66,12 @@ const Format Normals[] = {
   { "RGB8", Pass::NORMAL_RGB8, 1 },
 };
 
-// Bytes of so many words per pixel: textures have one, two or four channels.
+// Bytes of so many words per pixel: textures have one, two or four channels, in software OpenGL at
+// most two.
 long long Bytes(int words)
 {
-  const int rest = words % 4;
-  return 4LL * (words - rest + (rest == 3 ? 4 : rest)) * Width * Height;
+  const bool filled = words % 4 == 3 && !vtkRelievoIsSoftwareOpenGL();
+  return 4LL * (words + (filled ? 1 : 0)) * Width * Height;
 }
 
 // Renders with the requested layers, shared or not, and returns the bytes held.
