@@ -203,6 +203,7 @@ void TestTrees()
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   stage.Renderer->AddActor(actor);
+  (void)Picture(stage.Window); // a new window resets pointers to OpenGL
   StandBeforeOpenGL();
   stage.GetFrame()->ShadowsOn();
   stage.GetShadows()->SetMethodToExact();
