@@ -31,9 +31,11 @@ RELIEVO_TEST_CASE(testBenchDeferred)
   {
     const bool own = row.at("way") == "VTK's shading";
     RELIEVO_CHECK(Value(row, "milliseconds") > 0. && Value(row, "times VTK's") > 0.);
-    // Depth, normal and colour; with highlights two words more, in an attachment of their own.
-    const double words = row.at("surface") == "matte" ? 4. : 8.;
-    RELIEVO_CHECK_THAT(Value(row, "bytes a pixel") == (own ? 0. : 4. * words),
+    // Depth, normal and colour; with highlights, more words. Textures on a GPU have four of them,
+    // in software OpenGL two, and so one word less is empty.
+    const double most = own ? 0. : row.at("surface") == "matte" ? 16. : 32.;
+    const double bytes = Value(row, "bytes a pixel");
+    RELIEVO_CHECK_THAT(bytes == most || (!own && bytes == most - 4.),
       row.at("surface") + " " + row.at("bytes a pixel"));
   }
   RELIEVO_CHECK(relievoBench::DrawCharts("deferred", folder));
