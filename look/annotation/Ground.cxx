@@ -40,8 +40,8 @@ constexpr double Reach = 3.0;
 constexpr double Solid = 1.2; // radius at which it begins to fade
 
 // The opacity at the rim, in bytes. VTK's translucent pass divides by at least 0.01, and so darkens
-// what is less opaque: the ground would have a dark ring. A black one fades to 0: it has no ring,
-// but would have an edge in front of an environment.
+// surfaces of less opacity: the ground would have a dark ring. A black ground fades to 0: it has no
+// ring, but would have an edge in front of an environment.
 constexpr long LeastAlpha = 3;
 
 // Opacity: opaque inside, least at the rim, smooth between.

@@ -275,7 +275,7 @@ class Studio(CliTest):
             far = abs(seen - without)[:60, :40]
             self.assertLessEqual(far.max(), 2, preset)
             self.assertGreater(abs(seen - without).max(), 20, preset)
-        # Its rim is no ring: VTK's translucent pass darkens what is less than 1 % opaque.
+        # Its rim is no ring: VTK's translucent pass darkens surfaces of less than 1 % opacity.
         done = self.relievo("render", "ball.obj", *COARSE, *camera, "--hdr", "--layers", "color",
                             "--exr", "a.exr", "--size", "160x120")  # fmt: skip
         self.assertEqual(done.stderr, "")

@@ -22,11 +22,11 @@ class vtkWindow;
 class vtkRelievoSeenGlyphs
 {
 public:
-  // Uploads what has changed, and reserves a texture unit until Draw. False, and there are none,
+  // Uploads changed glyphs, and reserves a texture unit until Draw. False, and there are none,
   // without a unit, or without memory for all.
   bool Update(vtkOpenGLRenderWindow* window, const std::vector<vtkRelievoPlacedMesh>& glyphs);
 
-  // Appends numbers that change with what is drawn.
+  // Appends numbers that change with the drawn glyphs.
   void AddState(std::vector<double>& state) const;
 
   bool IsEmpty() const { return this->Groups.empty(); }
